@@ -1,0 +1,5 @@
+#pragma once
+
+/// Everything a stage needs.
+#include "stope/payloads.hpp"
+#include "stope/stage_instance.hpp"
