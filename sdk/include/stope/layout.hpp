@@ -6,6 +6,9 @@
 
 namespace stope {
 
+// Texts are appended rather than added: g++ 12 warns of `"[" + text` for no reason (its bug
+// 105651).
+
 /// The layout of a type as text, such as `{x:f8,y:f8,names:[text]}`: kinds and names of all fields,
 /// nested. Two sides that agree on it can exchange payloads.
 template <class T>
@@ -15,12 +18,12 @@ std::string layout_text() {
   } else if constexpr (std::is_enum_v<T>) {
     return layout_text<std::underlying_type_t<T>>();
   } else if constexpr (std::is_arithmetic_v<T>) {
-    const char kind = std::is_floating_point_v<T> ? 'f' : (std::is_signed_v<T> ? 'i' : 'u');
-    return kind + std::to_string(sizeof(T));
+    std::string text(1, std::is_floating_point_v<T> ? 'f' : (std::is_signed_v<T> ? 'i' : 'u'));
+    return text.append(std::to_string(sizeof(T)));
   } else if constexpr (std::is_same_v<T, std::string>) {
     return "text";
   } else if constexpr (traits::IsVector<T>::value) {
-    return "[" + layout_text<typename T::value_type>() + "]";
+    return std::string("[").append(layout_text<typename T::value_type>()).append("]");
   } else if constexpr (traits::IsArray<T>::value) {
     return layout_text<typename T::value_type>() + "*" + std::to_string(std::tuple_size_v<T>);
   } else if constexpr (traits::IsOptional<T>::value) {
@@ -33,10 +36,10 @@ std::string layout_text() {
     std::string text = "{";
     T probe{};
     T::fields(probe, [&text]<class Member>(const char* name, Member&) {
-      text += std::string(name) + ":" + layout_text<Member>() + ",";
+      text.append(name).append(":").append(layout_text<Member>()).append(",");
     });
     // The size tells apart structs whose listed fields agree but whose memory does not.
-    return text + "#" + std::to_string(sizeof(T)) + "}";
+    return text.append("#").append(std::to_string(sizeof(T))).append("}");
   }
 }
 
