@@ -9,18 +9,19 @@
 namespace stope {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, double>, 12> kUnits{{{"", 1},
-                                                                      {"B", 1},
-                                                                      {"kB", 1e3},
-                                                                      {"KB", 1e3},
-                                                                      {"MB", 1e6},
-                                                                      {"GB", 1e9},
-                                                                      {"TB", 1e12},
-                                                                      {"KiB", 1024.0},
-                                                                      {"kiB", 1024.0},
-                                                                      {"MiB", 1024.0 * 1024},
-                                                                      {"GiB", 1024.0 * 1024 * 1024},
-                                                                      {"TiB", 1024.0 * 1024 * 1024 * 1024}}};
+constexpr std::array<std::pair<std::string_view, double>, 12> kUnits{
+    {{"", 1},
+     {"B", 1},
+     {"kB", 1e3},
+     {"KB", 1e3},
+     {"MB", 1e6},
+     {"GB", 1e9},
+     {"TB", 1e12},
+     {"KiB", 1024.0},
+     {"kiB", 1024.0},
+     {"MiB", 1024.0 * 1024},
+     {"GiB", 1024.0 * 1024 * 1024},
+     {"TiB", 1024.0 * 1024 * 1024 * 1024}}};
 
 }  // namespace
 

@@ -4,8 +4,8 @@
 
 namespace stope {
 
-/// Turns Ctrl-C and a polite kill into a flag that a run watches. A second Ctrl-C ends the process at once, for the case
-/// that a stage does not listen. Only one may exist at a time.
+/// Turns Ctrl-C and a polite kill into a flag that a run watches. A second Ctrl-C ends the process
+/// at once, for the case that a stage does not listen. Only one may exist at a time.
 class Interrupt {
  public:
   Interrupt();

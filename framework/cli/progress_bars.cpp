@@ -18,19 +18,23 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-std::string progress_line(const RunProgress::Process& process, double seconds, std::size_t name_width) {
+std::string progress_line(const RunProgress::Process& process, double seconds,
+                          std::size_t name_width) {
   const std::uint64_t items = std::max(process.items_read, process.items_written);
   const double fraction = process.finished ? 1.0 : process.fraction;
   std::string bar(kBarWidth, fraction < 0 ? ' ' : '-');
   if (fraction >= 0) {
-    std::fill_n(bar.begin(), static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * kBarWidth), '#');
+    std::fill_n(bar.begin(), static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * kBarWidth),
+                '#');
   }
   std::string line = fmt::format("{:<{}} [{}] ", process.name, name_width, bar);
   line += fraction >= 0 ? fmt::format("{:3.0f} % ", fraction * 100) : std::string("      ");
   line += fmt::format("{:>8} items", items);
   if (process.finished) return line + "  done";
-  if (items > 0 && seconds > 0) line += fmt::format("  {:.1f} /s", static_cast<double>(items) / seconds);
-  if (fraction > 0.01) line += fmt::format("  {} left", clock_text(seconds * (1 - fraction) / fraction));
+  if (items > 0 && seconds > 0)
+    line += fmt::format("  {:.1f} /s", static_cast<double>(items) / seconds);
+  if (fraction > 0.01)
+    line += fmt::format("  {} left", clock_text(seconds * (1 - fraction) / fraction));
   return line;
 }
 
@@ -52,11 +56,14 @@ void ProgressBars::log(LogLevel level, const std::string& stage, const std::stri
 void ProgressBars::show(const RunProgress& progress) {
   if (!terminal_ || quiet_) return;
   const std::lock_guard lock(mutex_);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   std::size_t name_width = 0;
-  for (const auto& process : progress.processes) name_width = std::max(name_width, process.name.size());
+  for (const auto& process : progress.processes)
+    name_width = std::max(name_width, process.name.size());
   drawn_.clear();
-  for (const auto& process : progress.processes) drawn_ += progress_line(process, seconds, name_width) + "\n";
+  for (const auto& process : progress.processes)
+    drawn_ += progress_line(process, seconds, name_width) + "\n";
   erase();
   std::fputs(drawn_.c_str(), stderr);
   std::fflush(stderr);

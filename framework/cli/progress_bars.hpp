@@ -8,8 +8,8 @@
 
 namespace stope {
 
-/// Shows a run on a terminal: a line for each stage with a bar, its rate and the time left, redrawn in place; log sentences
-/// scroll above. Where there is no terminal it prints the sentences alone.
+/// Shows a run on a terminal: a line for each stage with a bar, its rate and the time left, redrawn
+/// in place; log sentences scroll above. Where there is no terminal it prints the sentences alone.
 class ProgressBars final : public RunObserver {
  public:
   /// `terminal`: draw bars; `quiet`: print nothing but warnings.
@@ -31,7 +31,9 @@ class ProgressBars final : public RunObserver {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// One line: `roads      ########----  58 %   12 items  3.1 /s  0:04 left`. `seconds` is how long the run has taken.
-std::string progress_line(const RunProgress::Process& process, double seconds, std::size_t name_width);
+/// One line: `roads      ########----  58 %   12 items  3.1 /s  0:04 left`. `seconds` is how long
+/// the run has taken.
+std::string progress_line(const RunProgress::Process& process, double seconds,
+                          std::size_t name_width);
 
 }  // namespace stope

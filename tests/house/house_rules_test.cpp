@@ -1,5 +1,5 @@
-// The rules that keep the house in order, checked on its own sources: which part may include which, what public headers may
-// pull in, and what no CMake file or header may do.
+// The rules that keep the house in order, checked on its own sources: which part may include which,
+// what public headers may pull in, and what no CMake file or header may do.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -49,7 +49,8 @@ TEST(HouseRules, PluginsSeeTheSdkAndTheirOwnFolderOnly) {
     for (const std::string& include : includes_of(file)) {
       EXPECT_FALSE(include.starts_with("framework/")) << file << " includes " << include;
       if (include.starts_with("plugins/")) {
-        EXPECT_TRUE(include.starts_with("plugins/" + family + "/")) << file << " includes " << include;
+        EXPECT_TRUE(include.starts_with("plugins/" + family + "/"))
+            << file << " includes " << include;
       }
     }
   }
@@ -67,9 +68,12 @@ TEST(HouseRules, PublicHeadersNeedTheStandardLibraryAndEigenAlone) {
   for (const auto& file : files_under("sdk", {".hpp", ".cpp"})) {
     const bool header = file.string().find("/include/") != std::string::npos;
     for (const std::string& include : includes_of(file)) {
-      EXPECT_FALSE(include.starts_with("framework/") || include.starts_with("plugins/")) << file << " includes " << include;
-      const bool standard = include.find('/') == std::string::npos && include.find(".hpp") == std::string::npos;
-      const bool allowed = standard || include.starts_with("stope/") || include.starts_with("Eigen/");
+      EXPECT_FALSE(include.starts_with("framework/") || include.starts_with("plugins/"))
+          << file << " includes " << include;
+      const bool standard =
+          include.find('/') == std::string::npos && include.find(".hpp") == std::string::npos;
+      const bool allowed =
+          standard || include.starts_with("stope/") || include.starts_with("Eigen/");
       EXPECT_TRUE(!header || allowed) << file << " includes " << include;
     }
   }
@@ -82,7 +86,8 @@ TEST(HouseRules, OnlyTwoMacrosExist) {
     for (const auto& file : files_under(folder, {".hpp", ".cpp"})) {
       for (const std::string& line : lines_of(file)) {
         std::smatch match;
-        if (std::regex_search(line, match, kDefine)) EXPECT_TRUE(allowed.contains(match[1])) << file << ": " << line;
+        if (!std::regex_search(line, match, kDefine)) continue;
+        EXPECT_TRUE(allowed.contains(match[1])) << file << ": " << line;
       }
     }
   }
