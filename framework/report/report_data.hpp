@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/executor/run_record.hpp"
+#include "framework/pipeline/plan.hpp"
+#include "framework/plugins/catalogue.hpp"
+#include "framework/report/machine.hpp"
+#include "framework/report/run_facts.hpp"
+#include "framework/report/run_log.hpp"
+#include "framework/report/sketch.hpp"
+#include "framework/report/written_output.hpp"
+
+namespace stope::report {
+
+/// A file the pipeline was read from.
+struct FileRead {
+  std::string path;
+  std::string sha256;  ///< empty if it could not be read again
+};
+
+/// What a tap saw at an output of a stage.
+struct TapResult {
+  PlannedSource source;
+  std::uint64_t items = 0;
+  std::string digest;  ///< 32 hexadecimal digits, or empty
+  std::vector<Sketch> sketches;
+};
+
+/// Everything the files of a run directory are made of.
+struct ReportData {
+  const Plan& plan;
+  const Catalogue& catalogue;
+  const RunFacts& facts;
+  const RunRecord& record;
+  const RunLog& log;
+  Machine machine;
+  std::vector<FileRead> files_read;
+  std::vector<WrittenFile> outputs;
+  std::vector<std::string> outputs_kept;  ///< of a run that did not end well: what an earlier left
+  std::vector<TapResult> taps;
+
+  const TapResult* tap_at(const PlannedSource& source) const {
+    for (const TapResult& tap : taps) {
+      if (tap.source == source) return &tap;
+    }
+    return nullptr;
+  }
+  /// What an export wrote was made of: its first wired input.
+  std::optional<PlannedSource> source_of(const PlannedOutput& output) const {
+    for (const auto& input : plan.stages[output.stage].inputs) {
+      if (input) return input;
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace stope::report

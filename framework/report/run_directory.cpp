@@ -1,0 +1,100 @@
+#include "framework/report/run_directory.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <vector>
+
+#include "framework/report/pending_file.hpp"
+#include "stope/error.hpp"
+
+namespace stope::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+void create_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && fs::is_directory(folder, error)) return;
+  const int number = error ? error.value() : ENOTDIR;
+  throw Error(io_sentence("make the folder", folder, number));
+}
+
+bool is_pending(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with(".") && name.ends_with(kPendingSuffix);
+}
+
+// A run that was killed leaves files under temporary names; their owner is gone, the lock says so.
+void remove_pending(const fs::path& folder, bool deep) {
+  std::error_code ignored;
+  std::vector<fs::path> stale;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    if (is_pending(entry->path())) {
+      stale.push_back(entry->path());
+    } else if (deep && entry->is_directory(ignored) && !entry->is_symlink(ignored)) {
+      remove_pending(entry->path(), true);
+    }
+  }
+  for (const fs::path& path : stale) fs::remove_all(path, ignored);
+}
+
+}  // namespace
+
+RunDirectory::RunDirectory(const fs::path& folder) : folder_(fs::absolute(folder)) {
+  create_folder(folder_);
+  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) throw Error(io_sentence("open the folder", folder_, errno));
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    throw Error(fmt::format(
+        "another run is writing into {}. Wait for it, or choose another folder with --out.",
+        folder_.string()));
+  }
+  try {
+    create_folder(outputs());
+    if (::access(folder_.c_str(), W_OK) != 0 || ::access(outputs().c_str(), W_OK) != 0)
+      throw Error(io_sentence("write into", folder_, errno));
+    remove_pending(folder_, false);
+    remove_pending(outputs(), true);
+    create_folder(scratch());
+  } catch (...) {
+    ::close(lock_);
+    throw;
+  }
+}
+
+RunDirectory::~RunDirectory() {
+  std::error_code ignored;
+  fs::remove_all(scratch(), ignored);
+  ::close(lock_);
+}
+
+fs::path RunDirectory::claim(const std::string& relative, const std::string& owner) {
+  const std::lock_guard lock(mutex_);
+  const auto [place, fresh] = owners_.emplace(relative, owner);
+  if (!fresh)
+    throw Error(
+        fmt::format("the outputs {} and {} would both write outputs/{}. Give one another name.",
+                    place->second, owner, relative));
+  const fs::path target = outputs() / relative;
+  fs::path step = outputs();
+  for (const fs::path& part : fs::path(relative).parent_path()) {
+    step /= part;
+    std::error_code ignored;
+    if (fs::is_symlink(step, ignored))
+      throw Error(fmt::format(
+          "the output {} would be written through the symbolic link {}, which may lead out of the "
+          "output folder. Remove the link or rename the output.",
+          owner, step.string()));
+    create_folder(step);
+  }
+  return target;
+}
+
+}  // namespace stope::report

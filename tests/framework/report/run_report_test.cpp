@@ -1,0 +1,212 @@
+#include "framework/report/run_report.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <nlohmann/json.hpp>
+
+#include "stope/digest.hpp"
+#include "stope/payloads/occupancy_grid.hpp"
+#include "tests/framework/report/made_run.hpp"
+
+namespace stope {
+namespace {
+
+namespace fs = std::filesystem;
+using made::text_of;
+
+Plan one_map_plan() {
+  made::PlanMaker maker("one map");
+  const std::size_t grid =
+      maker.stage("grid", "map_source/any", {}, {{"grid", std::string(OccupancyGrid::kType)}});
+  maker.output("map.yaml", {grid, 0});
+  return maker.plan;
+}
+
+// Runs a plan with one output the way the executor would, up to the end given.
+void run_once(const Plan& plan, const fs::path& folder, const std::string& text,
+              RunRecord::End end = RunRecord::End::kDone) {
+  const made::AnyCatalogue catalogue;
+  RunReport report(plan, catalogue, made::facts(), folder);
+  auto sinks = report.sinks();
+  Sink& sink = made::sink(sinks, "outputs/map.yaml");
+  sink.consume(made::item(made::artefact({{"yaml", text}, {"pgm", "pixels of " + text}})));
+  if (end == RunRecord::End::kDone) sink.finish();
+  report.finish(made::ended(end, end == RunRecord::End::kDone ? "" : "grid: no."));
+}
+
+nlohmann::json json_of(const fs::path& folder) {
+  return nlohmann::json::parse(text_of(folder / "run.json"));
+}
+
+TEST(RunReport, LeavesOutputsAndFourFilesAndNothingElse) {
+  const made::Folder folder;
+  run_once(one_map_plan(), folder.path / "out", "abc");
+  EXPECT_EQ(made::files_below(folder.path / "out"),
+            (std::vector<std::string>{"log.txt", "outputs/map.pgm", "outputs/map.yaml",
+                                      "report.html", "run.json", "trace.json"}));
+  EXPECT_EQ(text_of(folder.path / "out/outputs/map.yaml"), "abc");
+  EXPECT_FALSE(fs::exists(folder.path / "out/.scratch.stope-part"));
+}
+
+TEST(RunReport, ListsEachFileWithItsSha256) {
+  const made::Folder folder;
+  run_once(one_map_plan(), folder.path, "abc");
+  const auto outputs = json_of(folder.path)["outputs"];
+  ASSERT_EQ(outputs.size(), 2U);
+  EXPECT_EQ(outputs[0]["name"], "map.yaml");
+  EXPECT_EQ(outputs[0]["path"], "outputs/map.yaml");
+  EXPECT_EQ(outputs[0]["bytes"], 3);
+  // FIPS 180-2, appendix B.1.
+  EXPECT_EQ(outputs[0]["sha256"],
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(outputs[0]["from"], "grid.grid");
+  EXPECT_EQ(outputs[1]["path"], "outputs/map.pgm");
+  EXPECT_EQ(outputs[1]["companion"], true);
+}
+
+TEST(RunReport, GivesTheDigestOfThePayloadAnOutputWasMadeOf) {
+  const made::Folder folder;
+  const Plan plan = one_map_plan();
+  const made::AnyCatalogue catalogue;
+  OccupancyGrid grid;
+  grid.frame.width = grid.frame.height = 2;
+  grid.cells = {0, 254, 255, 0};
+  RunReport report(plan, catalogue, made::facts(), folder.path);
+  auto sinks = report.sinks();
+  made::sink(sinks, "outputs/map.yaml").consume(made::item(made::artefact({{"yaml", "a"}})));
+  made::sink(sinks, "outputs/map.yaml").finish();
+  made::sink(sinks, "report: grid.grid").consume(made::item(grid));
+  made::sink(sinks, "report: grid.grid").finish();
+  report.finish(made::ended(RunRecord::End::kDone));
+  EXPECT_EQ(json_of(folder.path)["outputs"][0]["digest"], digest_of(grid).text());
+}
+
+TEST(RunReport, ReplacesAnEarlierRunAndKeepsForeignFiles) {
+  const made::Folder folder;
+  made::put_text(folder.path / "notes.txt", "mine");
+  made::put_text(folder.path / "outputs/sketch.svg", "mine too");
+  run_once(one_map_plan(), folder.path, "first");
+  run_once(one_map_plan(), folder.path, "second");
+  EXPECT_EQ(text_of(folder.path / "notes.txt"), "mine");
+  EXPECT_EQ(text_of(folder.path / "outputs/sketch.svg"), "mine too");
+  EXPECT_EQ(text_of(folder.path / "outputs/map.yaml"), "second");
+}
+
+TEST(RunReport, KeepsEarlierOutputsWhenTheRunFailsOrIsCancelled) {
+  for (const auto end : {RunRecord::End::kFailed, RunRecord::End::kCancelled}) {
+    const made::Folder folder;
+    run_once(one_map_plan(), folder.path, "first");
+    run_once(one_map_plan(), folder.path, "second", end);
+    EXPECT_EQ(text_of(folder.path / "outputs/map.yaml"), "first");
+    EXPECT_EQ(text_of(folder.path / "outputs/map.pgm"), "pixels of first");
+    const auto json = json_of(folder.path);
+    EXPECT_EQ(json["run"]["end"], end == RunRecord::End::kFailed ? "failed" : "cancelled");
+    EXPECT_EQ(json["run"]["sentence"], "grid: no.");
+    EXPECT_TRUE(json["outputs"].empty());
+    EXPECT_EQ(json["outputs_kept_from_earlier"][0], "outputs/map.yaml");
+    EXPECT_EQ(made::files_below(folder.path).size(), 6U);
+  }
+}
+
+TEST(RunReport, LeavesNothingWithoutFinish) {
+  const made::Folder folder;
+  {
+    const Plan plan = one_map_plan();
+    const made::AnyCatalogue catalogue;
+    RunReport report(plan, catalogue, made::facts(), folder.path);
+    auto sinks = report.sinks();
+    made::sink(sinks, "outputs/map.yaml").consume(made::item(made::artefact({{"yaml", "a"}})));
+    report.log(LogLevel::kInfo, "grid", "halfway");
+  }
+  EXPECT_TRUE(made::files_below(folder.path).empty());
+}
+
+TEST(RunReport, RemovesWhatAKilledRunLeft) {
+  const made::Folder folder;
+  made::put_text(folder.path / "outputs/deep/.map.yaml.stope-part", "half");
+  made::put_text(folder.path / ".run.json.stope-part", "half");
+  run_once(one_map_plan(), folder.path, "abc");
+  EXPECT_EQ(made::files_below(folder.path).size(), 6U);
+}
+
+TEST(RunReport, RefusesAFolderThatAnotherRunUses) {
+  const made::Folder folder;
+  const Plan plan = one_map_plan();
+  const made::AnyCatalogue catalogue;
+  const RunReport first(plan, catalogue, made::facts(), folder.path);
+  try {
+    const RunReport second(plan, catalogue, made::facts(), folder.path);
+    FAIL() << "two runs share a folder";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("another run is writing into"), std::string::npos);
+  }
+}
+
+TEST(RunReport, RefusesAFileInPlaceOfTheFolder) {
+  const made::Folder folder;
+  made::put_text(folder.path / "out", "a file");
+  const Plan plan = one_map_plan();
+  const made::AnyCatalogue catalogue;
+  EXPECT_THROW(RunReport(plan, catalogue, made::facts(), folder.path / "out"), Error);
+  EXPECT_EQ(text_of(folder.path / "out"), "a file");
+}
+
+// In a process of its own, whose files may not grow beyond `limit` bytes: the system refuses to
+// write more, as it does when a disk is full. Returns the exit code and fills `sentence`.
+int run_with_small_disk(const fs::path& folder, rlim_t limit, std::size_t size) {
+  const pid_t child = ::fork();
+  if (child != 0) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  ::signal(SIGXFSZ, SIG_IGN);
+  const Plan plan = one_map_plan();
+  const made::AnyCatalogue catalogue;
+  int code = 0;
+  try {
+    RunReport report(plan, catalogue, made::facts(), folder);
+    const rlimit bound{limit, limit};
+    ::setrlimit(RLIMIT_FSIZE, &bound);
+    try {
+      auto sinks = report.sinks();
+      Sink& sink = made::sink(sinks, "outputs/map.yaml");
+      sink.consume(made::item(made::artefact({{"yaml", "new"}, {"pgm", std::string(size, 'x')}})));
+      sink.finish();
+      report.finish(made::ended(RunRecord::End::kDone));
+    } catch (const Error& error) {
+      code = std::string(error.what()).find("cannot write") != std::string::npos ? 10 : 12;
+      report.finish(made::ended(RunRecord::End::kFailed, error.what()));
+    }
+  } catch (const Error&) {
+    code += 1;
+  }
+  ::_exit(code);
+}
+
+TEST(RunReport, SaysThatTheDiskIsFullAndKeepsWhatWasThere) {
+  const made::Folder folder;
+  run_once(one_map_plan(), folder.path, "first");
+  // Room for everything but the output: the run fails with a sentence, and run.json tells of it.
+  EXPECT_EQ(run_with_small_disk(folder.path, 1 << 20, 2 << 20), 10);
+  EXPECT_EQ(text_of(folder.path / "outputs/map.yaml"), "first");
+  EXPECT_EQ(text_of(folder.path / "outputs/map.pgm"), "pixels of first");
+  EXPECT_EQ(json_of(folder.path)["run"]["end"], "failed");
+  EXPECT_EQ(made::files_below(folder.path).size(), 6U);
+}
+
+TEST(RunReport, KeepsEverythingWhenNotEvenTheReportFits) {
+  const made::Folder folder;
+  run_once(one_map_plan(), folder.path, "first");
+  const std::string json = text_of(folder.path / "run.json");
+  EXPECT_EQ(run_with_small_disk(folder.path, 100, 50), 11);
+  EXPECT_EQ(text_of(folder.path / "outputs/map.yaml"), "first");
+  EXPECT_EQ(text_of(folder.path / "run.json"), json);
+  EXPECT_EQ(made::files_below(folder.path).size(), 6U);
+}
+
+}  // namespace
+}  // namespace stope
