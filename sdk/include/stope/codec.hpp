@@ -45,8 +45,11 @@ class STOPE_API ByteCounter final : public ByteSink {
 class STOPE_API ByteBuffer final : public ByteSink {
  public:
   void write(const void* data, std::size_t size) override {
-    const auto* begin = static_cast<const std::byte*>(data);
-    bytes_.insert(bytes_.end(), begin, begin + size);
+    if (size == 0) return;
+    // Not insert(), of which g++ 12 warns falsely.
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + size);
+    std::memcpy(bytes_.data() + end, data, size);
   }
   const std::vector<std::byte>& bytes() const { return bytes_; }
 
