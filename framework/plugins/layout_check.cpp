@@ -1,0 +1,64 @@
+#include "framework/plugins/layout_check.hpp"
+
+#include <fmt/format.h>
+
+#include "framework/plugins/plugin_file.hpp"
+#include "stope/layout.hpp"
+#include "stope/payloads.hpp"
+
+namespace stope {
+
+namespace {
+
+constexpr std::string_view kSdkVendor = "stope/";
+
+template <class... Payloads>
+std::map<std::string, std::uint64_t> layouts_of() {
+  return {{std::string(Payloads::kType), layout_hash<Payloads>()}...};
+}
+
+void check_port(const StageInfo& stage, const PortInfo& port,
+                const std::map<std::string, std::uint64_t>& layouts) {
+  if (!port.type.starts_with(kSdkVendor)) return;
+  const auto known = layouts.find(port.type);
+  if (known == layouts.end()) {
+    throw PluginRefused(PluginStatus::kOtherLayout,
+                        fmt::format("Its stage '{}' exchanges {}, which this Stope does not have: "
+                                    "rebuild it against the SDK of this Stope, or use the Stope it "
+                                    "was built for.",
+                                    stage.id, port.type));
+  }
+  if (known->second != port.layout) {
+    throw PluginRefused(PluginStatus::kOtherLayout,
+                        fmt::format("Its stage '{}' lays {} out otherwise than this Stope: rebuild "
+                                    "it against the SDK of this Stope.",
+                                    stage.id, port.type));
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::uint64_t> sdk_layouts() {
+  return layouts_of<Artefact, DistanceGrid, ElevationGrid, ImuSample, LabelGrid, LidarScan, LineSet,
+                    Measures, NavFix, OccupancyGrid, Path, PointCloud, PoseConstraint, PoseGraph,
+                    RegionMap, RoadGraph, StampedPose, Submap, Trajectory, VoxelMap>();
+}
+
+void check_layouts(const Manifest& manifest, const std::map<std::string, std::uint64_t>& layouts) {
+  for (const StageInfo& stage : manifest.stages) {
+    for (const PortInfo& port : stage.inputs) check_port(stage, port, layouts);
+    for (const PortInfo& port : stage.outputs) check_port(stage, port, layouts);
+  }
+}
+
+std::optional<std::string> layout_mismatch(const StageRecord& producer, const PortInfo& output,
+                                           const StageRecord& consumer, const PortInfo& input) {
+  if (output.type != input.type || output.layout == input.layout) return std::nullopt;
+  return fmt::format(
+      "{} and {} lay {} out differently, though they name it alike: rebuild the plugins {} and {} "
+      "against the same header, and raise the version in kType when the fields change.",
+      producer.info.id, consumer.info.id, output.type, producer.file.string(),
+      consumer.file.string());
+}
+
+}  // namespace stope

@@ -1,0 +1,47 @@
+#include "framework/plugins/plugin_catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include "stope/payloads.hpp"
+#include "stope/testing/memory_context.hpp"
+#include "stope/testing/memory_ports.hpp"
+
+namespace stope {
+namespace {
+
+PluginOptions options_for(const std::filesystem::path& place) {
+  PluginOptions options;
+  options.search.places = {place};
+  return options;
+}
+
+TEST(PluginCatalogue, MakesAStageOfAPluginItFound) {
+  const PluginCatalogue catalogue(options_for(GOOD_PLUGIN));
+  ASSERT_EQ(catalogue.files().size(), 1U);
+  EXPECT_EQ(catalogue.files()[0].sentence, "");
+  EXPECT_EQ(catalogue.files()[0].plugin_id, "good");
+  EXPECT_EQ(catalogue.files()[0].plugin_version, "1.2.3");
+  EXPECT_EQ(catalogue.files()[0].build_id.size(), 40U);
+
+  const StageRecord* record = catalogue.find("hostile/good");
+  ASSERT_NE(record, nullptr);
+  EXPECT_EQ(record->info.parameters.at(0).unit, "m");
+
+  const auto stage = catalogue.create("hostile/good");
+  ASSERT_TRUE(stage->set_parameter(0, 3.0));
+  const auto measures = std::make_shared<const Measures>(Measures{{"height"}, {2.0}, {"m"}, {""}});
+  const AnyItem input{0, 0, std::make_shared<testing::MemoryPayload<Measures>>(measures)};
+  testing::MemoryContext context;
+  std::shared_ptr<const void> output;
+  ASSERT_TRUE(stage->apply({&input, 1}, context, output));
+  EXPECT_EQ(static_cast<const Measures*>(output.get())->values, std::vector{6.0});
+}
+
+TEST(PluginCatalogue, SaysThatNoPluginOffersAStage) {
+  const PluginCatalogue catalogue(options_for(GOOD_PLUGIN));
+  EXPECT_EQ(catalogue.find("hostile/absent"), nullptr);
+  EXPECT_THROW(catalogue.create("hostile/absent"), Error);
+}
+
+}  // namespace
+}  // namespace stope
