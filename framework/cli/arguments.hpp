@@ -9,7 +9,7 @@ namespace stope {
 
 /// What a person typed, for all commands; each reads what it needs.
 struct Arguments {
-  std::string command_line;  ///< as typed, for the record
+  std::vector<std::string> command_line;  ///< as typed, for the record
   std::filesystem::path executable;
   std::filesystem::path pipeline;
   std::filesystem::path out;  ///< empty: out/<name of the pipeline file>

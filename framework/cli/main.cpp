@@ -47,8 +47,7 @@ void add_run(CLI::App& command, stope::Arguments& arguments) {
 
 int dispatch(int argc, char** argv) {
   stope::Arguments arguments;
-  for (int i = 0; i < argc; ++i)
-    arguments.command_line += (i > 0 ? " " : "") + std::string(argv[i]);
+  arguments.command_line.assign(argv, argv + argc);
 
   CLI::App app(
       "Stope turns recordings of open-pit mines into maps, road graphs and drivable paths.");

@@ -1,0 +1,54 @@
+#include "framework/cli/load_pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "framework/cli/exit_code.hpp"
+#include "framework/pipeline/check_pipeline.hpp"
+
+namespace stope {
+namespace {
+
+nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
+  constexpr const char* kSeverities[] = {"error", "warning", "note"};
+  nlohmann::ordered_json json;
+  json["severity"] = kSeverities[static_cast<int>(diagnostic.severity)];
+  json["code"] = diagnostic.code;
+  json["file"] = diagnostic.place.file;
+  json["line"] = diagnostic.place.line;
+  json["column"] = diagnostic.place.column;
+  json["sentence"] = diagnostic.sentence;
+  json["hint"] = diagnostic.hint;
+  return json;
+}
+
+void print(const std::vector<Diagnostic>& list, bool json) {
+  if (!json) {
+    for (const Diagnostic& diagnostic : list) fmt::print(stderr, "{}\n", to_text(diagnostic));
+    return;
+  }
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Diagnostic& diagnostic : list) all.push_back(to_json(diagnostic));
+  fmt::print("{}\n", nlohmann::ordered_json{{"ok", false}, {"diagnostics", all}}.dump(2));
+}
+
+}  // namespace
+
+LoadedPipeline load_pipeline(const Arguments& arguments) {
+  LoadedPipeline loaded;
+  loaded.catalogue = load_catalogue(arguments);
+  Diagnostics diagnostics;
+  loaded.plan =
+      check_pipeline(arguments.pipeline, arguments.overrides, *loaded.catalogue, diagnostics);
+  const std::vector<Diagnostic> list = diagnostics.sorted();
+  if (diagnostics.has_errors()) loaded.plan.reset();
+  if (!loaded.plan || !arguments.json) print(list, arguments.json);
+  if (!loaded.plan) loaded.exit_code = kWrongArguments;
+  for (const Diagnostic& diagnostic : list) {
+    if (diagnostic.severity == Severity::kWarning) loaded.warnings.push_back(diagnostic);
+  }
+  return loaded;
+}
+
+}  // namespace stope
