@@ -98,7 +98,8 @@ TEST(HouseRules, CMakeListsNameTheirFiles) {
     for (const auto& file : files_under(folder, {".txt", ".cmake"})) {
       for (const std::string& line : lines_of(file)) {
         EXPECT_EQ(line.find("file(GLOB"), std::string::npos) << file;
-        EXPECT_EQ(line.find("CMAKE_CXX_FLAGS"), std::string::npos) << file;
+        EXPECT_EQ(line.find("set(CMAKE_CXX_FLAGS"), std::string::npos) << file;
+        EXPECT_EQ(line.find("add_compile_options("), std::string::npos) << file;
         EXPECT_EQ(line.find("FetchContent"), std::string::npos) << file;
         EXPECT_EQ(line.find("march=native"), std::string::npos) << file;
       }
