@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "framework/executor/map_window.hpp"
+#include "framework/executor/process.hpp"
+#include "framework/executor/stage_context.hpp"
+
+namespace stope {
+
+/// A map as a process: reads its streams in step, lets oneTBB workers apply the map to several
+/// items at once, and writes what comes out in order, each as soon as it and all before it are done
+/// — also while it waits for input.
+class MapProcess final : public Process {
+ public:
+  MapProcess(std::string name, const RunServices& services,
+             std::unique_ptr<StageInstance> instance);
+
+ private:
+  Outcome work() override;
+  std::int64_t work_elsewhere() const override { return work_; }
+  void release() override;
+
+  void open();
+  void hold_values();
+  /// Reads one item of each stream into the window's newest place. False when all have ended.
+  bool read_step();
+  void require_equal_stamps(const MapItem& item, std::size_t port) const;
+  /// The next item of a stream; none when it has ended. Writes what is done while it waits.
+  AnyItem next(InputEnd& input);
+  /// Writes all done items at the front of the window. False if there were none.
+  bool write_done();
+  void wait_for_oldest();
+  void apply(MapItem& item);
+
+  WorkerPool& pool_;
+  PayloadStore& store_;
+  StageContext context_;
+  std::unique_ptr<StageInstance> instance_;
+  std::shared_ptr<MapWindow> window_;
+  std::vector<std::size_t> streams_;                      ///< ports that carry a stream
+  std::vector<std::shared_ptr<const void>> held_values_;  ///< stay in memory while the map runs
+  std::int64_t work_ = 0;
+};
+
+}  // namespace stope

@@ -1,0 +1,80 @@
+#include "framework/executor/map_window.hpp"
+
+#include <utility>
+
+#include "framework/executor/task_handoff.hpp"
+
+namespace stope {
+
+namespace {
+
+constexpr int kItemsOfARunner = 32;  ///< then it queues up again
+
+}  // namespace
+
+MapWindow::MapWindow(WorkerPool& pool, std::shared_ptr<Doorbell> doorbell, std::size_t places,
+                     Apply apply)
+    : pool_(pool), doorbell_(std::move(doorbell)), apply_(std::move(apply)), places_(places) {}
+
+MapWindow::~MapWindow() { take_over(static_cast<PoolTask*>(this)); }
+
+std::vector<MapItem*> MapWindow::all() {
+  std::vector<MapItem*> items;
+  for (Place& place : places_) items.push_back(&place.item);
+  return items;
+}
+
+void MapWindow::submit() {
+  places_[submitted_.load() % places_.size()].done.store(false, std::memory_order_relaxed);
+  submitted_.fetch_add(1);
+  call_runner();
+}
+
+void MapWindow::call_runner() {
+  int runners = runners_.load();
+  while (runners < pool_.threads()) {
+    if (runners_.compare_exchange_weak(runners, runners + 1)) {
+      pool_.enqueue(shared_from_this());
+      return;
+    }
+  }
+}
+
+bool MapWindow::claim(std::uint64_t& place) {
+  place = claimed_.load();
+  while (place < submitted_.load()) {
+    if (claimed_.compare_exchange_weak(place, place + 1)) return true;
+  }
+  return false;
+}
+
+void MapWindow::run() noexcept {
+  std::uint64_t number = 0;
+  for (int i = 0; i < kItemsOfARunner; ++i) {
+    if (!claim(number)) {
+      runners_.fetch_sub(1);
+      // What was submitted meanwhile may have counted on this runner.
+      if (claimed_.load() < submitted_.load()) call_runner();
+      return;
+    }
+    Place& place = places_[number % places_.size()];
+    apply_(place.item);
+    place.done.store(true);
+    if (oldest_.load() == number) doorbell_->ring();
+  }
+  pool_.enqueue(shared_from_this());
+}
+
+void MapWindow::advance() { oldest_.fetch_add(1); }
+
+void MapWindow::stop() {
+  for (std::uint64_t number = 0; claim(number);) places_[number % places_.size()].done.store(true);
+  while (!empty()) {
+    doorbell_->prepare();
+    if (!oldest_done()) doorbell_->sleep();
+    doorbell_->dismiss();
+    if (oldest_done()) advance();
+  }
+}
+
+}  // namespace stope
