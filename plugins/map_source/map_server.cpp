@@ -25,8 +25,7 @@ class MapServer final : public Stage {
             "as nav2 reads them; the picture's path is relative to the yaml. Probabilities keep "
             "254 steps where nav2 rounds to percent.")
         .output("grid", &MapServer::grid, "The map.")
-        .param("map", &Params::map, required() + existing(PathKind::kFile),
-               "The map's yaml file.");
+        .param("map", &Params::map, required() + existing(PathKind::kFile), "The map's yaml file.");
   }
 
   void run(Context& context) override {
@@ -36,9 +35,10 @@ class MapServer final : public Stage {
     const bool any_free = std::any_of(result.cells.begin(), result.cells.end(),
                                       [](std::uint8_t cell) { return cell < 127; });
     if (!any_free) {
-      context.warn(fmt::format("no cell of the map {} is free: is 'negate' right, and are the "
-                               "thresholds?",
-                               params.map.string()));
+      context.warn(
+          fmt::format("no cell of the map {} is free: is 'negate' right, and are the "
+                      "thresholds?",
+                      params.map.string()));
     }
     context.info(fmt::format("read {} x {} cells of {} m", result.frame.width, result.frame.height,
                              result.frame.resolution));

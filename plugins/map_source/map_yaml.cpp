@@ -66,8 +66,7 @@ class Reader {
   YAML::Node need(const char* key, const char* expected) const {
     const YAML::Node node = document_[key];
     if (!node.IsDefined() || node.IsNull())
-      throw Error(
-          fmt::format("the map {} does not say '{}': expected {}", file_, key, expected));
+      throw Error(fmt::format("the map {} does not say '{}': expected {}", file_, key, expected));
     return node;
   }
 

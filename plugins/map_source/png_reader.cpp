@@ -105,8 +105,7 @@ class PngReader final : public RasterReader {
   void read_interlaced() {
     whole_.resize(layout_.row_bytes() * static_cast<std::size_t>(layout_.height));
     std::vector<png_bytep> rows(static_cast<std::size_t>(layout_.height));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] = whole_.data() + i * layout_.row_bytes();
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = whole_.data() + i * layout_.row_bytes();
     if (!read_png_image(rows.data())) throw_broken("an interlaced pass", reason_);
   }
 

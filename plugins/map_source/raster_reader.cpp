@@ -20,9 +20,9 @@ std::unique_ptr<RasterReader> open_raster(const std::filesystem::path& file) {
   std::array<char, 4> start{};
   stream.read(start.data(), start.size());
   if (!stream && stream.gcount() == 0) {
-    throw Error(fmt::format("the map's picture {} {}", file.string(),
-                            std::filesystem::file_size(file, problem) == 0 ? "is empty"
-                                                                           : "cannot be read"));
+    throw Error(fmt::format(
+        "the map's picture {} {}", file.string(),
+        std::filesystem::file_size(file, problem) == 0 ? "is empty" : "cannot be read"));
   }
   const std::string_view magic(start.data(), static_cast<std::size_t>(stream.gcount()));
   if (magic.starts_with("\x89PNG")) return open_png(file);

@@ -40,7 +40,7 @@ class StageHarness {
   template <class Output>
   Output apply() {
     std::shared_ptr<const void> output;
-    check(instance_->apply(inputs_, context, output));
+    check(instance_->apply(inputs_, *context_, output));
     return *static_cast<const Output*>(output.get());
   }
 
@@ -53,11 +53,10 @@ class StageHarness {
     instance_->connect_output(place(instance_->info().outputs, name), &port);
     return *this;
   }
-  void run() { check(instance_->run(context)); }
+  void run() { check(instance_->run(*context_)); }
 
   const StageInfo& info() const { return instance_->info(); }
-
-  MemoryContext context;
+  MemoryContext& context() { return *context_; }
 
  private:
   static void check(const Outcome& outcome) {
@@ -71,6 +70,7 @@ class StageHarness {
     throw Error("the stage has no port " + name);
   }
 
+  std::unique_ptr<MemoryContext> context_ = std::make_unique<MemoryContext>();
   std::unique_ptr<StageInstance> instance_;
   std::vector<AnyItem> inputs_;
 };

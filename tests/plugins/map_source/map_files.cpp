@@ -55,8 +55,7 @@ std::filesystem::path MapFolder::write_png(const std::string& name, int width, i
   std::vector<png_bytep> rows;
   const std::size_t stride = samples.size() / static_cast<std::size_t>(height);
   for (int y = 0; y < height; ++y) {
-    rows.push_back(
-        const_cast<png_bytep>(samples.data() + static_cast<std::size_t>(y) * stride));
+    rows.push_back(const_cast<png_bytep>(samples.data() + static_cast<std::size_t>(y) * stride));
   }
   png_write_image(png, rows.data());
   png_write_end(png, nullptr);

@@ -20,7 +20,7 @@ OccupancyGrid read(const std::filesystem::path& yaml,
   stope::testing::StageHarness stage(stope_stage_MapServer());
   stope::testing::MemoryOutput<OccupancyGrid> grid;
   stage.set("map", yaml.string()).connect_output("grid", grid).run();
-  if (sentences) *sentences = stage.context.sentences;
+  if (sentences) *sentences = stage.context().sentences;
   return *grid.items.at(0).value;
 }
 
@@ -99,8 +99,7 @@ TEST(MapServer, SaysWhatIsWrongWithAPicture) {
   folder.write("empty.png", "");
   EXPECT_NE(error_of(folder.write_yaml("empty.png")).find("is empty"), std::string::npos);
   folder.write("text.png", "hello");
-  EXPECT_NE(error_of(folder.write_yaml("text.png")).find("neither PNG nor PGM"),
-            std::string::npos);
+  EXPECT_NE(error_of(folder.write_yaml("text.png")).find("neither PNG nor PGM"), std::string::npos);
   folder.write("short.pgm", "P5 100 100 255\nxx");
   EXPECT_NE(error_of(folder.write_yaml("short.pgm")).find("is cut off"), std::string::npos);
   folder.write("odd.pgm", "P5 0 100 255\nxx");
@@ -126,8 +125,8 @@ TEST(MapServer, ATruncatedPngIsNamedAtEveryLength) {
 TEST(MapServer, SaysWhatIsWrongWithTheYaml) {
   const MapFolder folder;
   folder.write("a.pgm", "P2 1 1 255 255");
-  const std::vector<std::string> lines{"image: a.pgm",  "resolution: 0.5",       "origin: [0, 0, 0]",
-                                       "negate: 0",     "occupied_thresh: 0.65", "free_thresh: 0.2"};
+  const std::vector<std::string> lines{"image: a.pgm", "resolution: 0.5",       "origin: [0, 0, 0]",
+                                       "negate: 0",    "occupied_thresh: 0.65", "free_thresh: 0.2"};
   for (std::size_t left_out = 0; left_out < lines.size(); ++left_out) {
     std::string text;
     for (std::size_t i = 0; i < lines.size(); ++i) text += i == left_out ? "" : lines[i] + "\n";
@@ -138,8 +137,7 @@ TEST(MapServer, SaysWhatIsWrongWithTheYaml) {
   }
   const auto with = [&](std::size_t place, const std::string& line) {
     std::string text;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      text += (i == place ? line : lines[i]) + "\n";
+    for (std::size_t i = 0; i < lines.size(); ++i) text += (i == place ? line : lines[i]) + "\n";
     return error_of(folder.write("m.yaml", text));
   };
   EXPECT_NE(with(1, "resolution: -1").find("m.yaml:2: 'resolution' is wrong"), std::string::npos);

@@ -1,0 +1,85 @@
+#include "plugins/planner/drivable_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace stope::planner {
+namespace {
+
+/// The cell of a frame that holds a point, also beyond the frame's edges.
+Cell cell_of(const GridFrame& frame, const Vector2& point) {
+  constexpr double kFar = 1e9;
+  const Vector2 at = frame.to_grid(point.x(), point.y());
+  return {static_cast<std::int32_t>(std::floor(std::clamp(at.x(), -kFar, kFar))),
+          static_cast<std::int32_t>(std::floor(std::clamp(at.y(), -kFar, kFar)))};
+}
+
+/// Visits the cells of the frame in square rings round `centre`, nearest ring first, while
+/// `wanted(ring)` holds.
+template <class Wanted, class Visit>
+void visit_rings(const GridFrame& frame, Cell centre, std::int32_t most, const Wanted& wanted,
+                 const Visit& visit) {
+  const auto visit_row = [&](std::int32_t row, std::int32_t ring, std::int32_t step) {
+    if (row < 0 || row >= frame.height) return;
+    for (std::int32_t dx = -ring; dx <= ring; dx += step) {
+      const Cell cell{centre.column + dx, row};
+      if (frame.contains(cell)) visit(cell);
+    }
+  };
+  for (std::int32_t ring = 0; ring <= most && wanted(ring); ++ring) {
+    for (std::int32_t dy = -ring; dy <= ring; ++dy) {
+      const bool whole_row = dy == -ring || dy == ring;
+      visit_row(centre.row + dy, ring, whole_row || ring == 0 ? 1 : 2 * ring);
+    }
+  }
+}
+
+}  // namespace
+
+Ground DrivableGrid::ground_at(const Vector2& point) const {
+  const auto cell = grid_.frame.cell_at(point.x(), point.y());
+  if (!cell) return Ground::kOffMap;
+  const std::uint8_t value = grid_.cells[grid_.frame.place(*cell)];
+  if (value == OccupancyGrid::kUnknown) return Ground::kUnknown;
+  return value < 127 ? Ground::kFree : Ground::kObstacle;
+}
+
+bool DrivableGrid::line_free(const Vector2& a, const Vector2& b) const {
+  const double steps = std::ceil((b - a).norm() / (0.5 * grid_.frame.resolution));
+  for (double i = 0; i <= steps; ++i) {
+    const Vector2 point = steps > 0 ? Vector2(a + (i / steps) * (b - a)) : a;
+    if (ground_at(point) != Ground::kFree) return false;
+  }
+  return true;
+}
+
+double DrivableGrid::clearance(const Vector2& point, double most) const {
+  const double resolution = grid_.frame.resolution;
+  double best = most;
+  visit_rings(
+      grid_.frame, cell_of(grid_.frame, point), static_cast<std::int32_t>(most / resolution) + 1,
+      [&](std::int32_t ring) { return (ring - 1) * resolution < best; },
+      [&](Cell cell) {
+        if (!free(cell)) best = std::min(best, (grid_.frame.centre(cell) - point).norm());
+      });
+  return best;
+}
+
+Cell DrivableGrid::nearest_free(const Vector2& point, double most) const {
+  const double resolution = grid_.frame.resolution;
+  Cell found{-1, -1};
+  double best = most;
+  visit_rings(
+      grid_.frame, cell_of(grid_.frame, point),
+      static_cast<std::int32_t>(std::min(most / resolution, 1e6)) + 1,
+      [&](std::int32_t ring) { return (ring - 1) * resolution <= best; },
+      [&](Cell cell) {
+        if (!free(cell)) return;
+        const double distance = (grid_.frame.centre(cell) - point).norm();
+        if (distance < best || (found.row < 0 && distance <= best)) best = distance, found = cell;
+      });
+  return found;
+}
+
+}  // namespace stope::planner

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "plugins/planner/road_network.hpp"
+#include "stope/geometry.hpp"
+
+namespace stope::planner {
+
+/// The nearest place on a road to some point.
+struct SnappedPlace {
+  RoadPlace place;
+  Vector2 position = Vector2::Zero();  ///< metres, map frame
+  double distance = 0;                 ///< metres from the point
+};
+
+/// For each usable road for which `accept` holds, its place nearest to `point`; nearest road first,
+/// equals by edge. O(vertices).
+std::vector<SnappedPlace> nearest_places(const RoadNetwork& network, const Vector2& point,
+                                         const std::function<bool(std::uint32_t edge)>& accept);
+
+/// Of the roads that can be driven to from `start`, the place nearest to `point`.
+SnappedPlace nearest_reachable(const RoadNetwork& network, RoadPlace start, const Vector2& point);
+
+}  // namespace stope::planner
