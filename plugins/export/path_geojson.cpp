@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "plugins/export/text_bytes.hpp"
+#include "stope/stope.hpp"
+
+namespace stope::exports {
+
+class PathGeojson final : public Map<Artefact(Path)> {
+ public:
+  struct Params {
+    std::string frame = "map";
+  } params;
+
+  static void describe(About<PathGeojson>& about) {
+    about.summary("Writes a path as a GeoJSON line, in metres of the map's frame.")
+        .notes(
+            "Properties hold the length, the ids of the roads followed, and for every point its "
+            "heading (yaw), clearance and curvature; null where not known.")
+        .ports("path", "artefact")
+        .writes({"geojson"})
+        .param("frame", &Params::frame, "The frame the coordinates are in.");
+  }
+
+  Artefact apply(const Path& path, Context&) const {
+    if (path.points.size() < 2)
+      throw Error("the path has fewer than two points, which GeoJSON cannot hold as a line");
+    const auto list = [&](auto&& item) {
+      std::string text = "[";
+      for (std::size_t i = 0; i < path.points.size(); ++i)
+        text.append(i == 0 ? "" : ", ").append(item(path.points[i]));
+      return text.append("]");
+    };
+    const std::string coordinates = list([](const PathPoint& point) {
+      const std::string height = std::isfinite(point.z) ? ", " + json_number(point.z) : "";
+      return fmt::format("[{}, {}{}]", json_number(point.x), json_number(point.y), height);
+    });
+    std::string edges;
+    for (const std::uint64_t id : path.edges)
+      edges.append(edges.empty() ? "" : ", ").append(std::to_string(id));
+    const std::string text = fmt::format(
+        "{{\n\"type\": \"FeatureCollection\",\n\"name\": \"path\",\n\"features\": [\n"
+        "{{\"type\": \"Feature\", \"properties\": {{\n\"frame\": {},\n\"length\": {},\n\"edges\": "
+        "[{}],\n\"yaw\": {},\n\"clearance\": {},\n\"curvature\": {}}},\n\"geometry\": "
+        "{{\"type\": \"LineString\", \"coordinates\": {}}}}}\n]\n}}\n",
+        json_text(params.frame), json_number(path.length), edges,
+        list([](const PathPoint& point) { return json_number(point.yaw); }),
+        list([](const PathPoint& point) { return json_number(point.clearance); }),
+        list([](const PathPoint& point) { return json_number(point.curvature); }), coordinates);
+    return {{{"geojson", bytes_of(text)}}};
+  }
+};
+
+STOPE_STAGE(PathGeojson, "export/path_geojson")
+
+}  // namespace stope::exports
