@@ -30,6 +30,8 @@ void WaitGraph::enter(Process& process, Channel& channel) {
     if (steps > processes_) return;
     Channel* const at = walker->waits_at().load();
     if (!at || !holds(*walker, *at)) return;
+    // It may have woken, read and emptied the channel again between the two looks.
+    if (walker->waits_at().load() != at) return;
     const bool full = &at->writer() == walker;
     if (full && (!smallest || at->capacity() < smallest->capacity())) smallest = at;
     walker = &other_side(*walker, *at);

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "tests/framework/executor/bench_of_stages.hpp"
 #include "tests/framework/executor/toy_stages.hpp"
 
@@ -59,11 +62,14 @@ TEST(Deadlock, IsResolvedBesideASourceThatNeverEnds) {
   PlanBuilder bench = two_passes(500, sums);
   std::atomic<bool> stop{false};
   bench.options.stop = &stop;
-  std::uint64_t others = 0;
+  std::atomic<std::uint64_t> others{0};
   bench.stage<Count>("sensor", {}, {{"count", std::int64_t{-1}}})
       .stage<Square>("square", {{"number", "sensor.numbers"}})
       .sink("square.square", [&](const AnyItem&) { ++others; });
-  bench.sinks[0].finish = [&] { stop = true; };
+  bench.sinks[0].finish = [&] {
+    while (others == 0) std::this_thread::yield();
+    stop = true;
+  };
   const RunRecord record = bench.run();
   EXPECT_EQ(record.end, RunRecord::End::kCancelled);
   EXPECT_EQ(sums.size(), 500U);
