@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "plugins/source/synthetic_pit/network_graph.hpp"
+#include "plugins/source/synthetic_pit/network_rules.hpp"
+
+namespace stope::source {
+
+/// An edge driven in a direction.
+struct Leg {
+  std::size_t edge = 0;
+  bool backward = false;
+};
+
+/// A drive over every edge that can be reached, always on to the nearest one not yet driven. A
+/// truck turns round only in turning places. Starts at the last dead end, or anywhere if there is
+/// none.
+std::vector<Leg> covering_route(const NetworkGraph& graph);
+
+/// The legs as one smooth line in steps of kRouteStep: corners are rounded inside the junctions,
+/// turning places are left by a loop of kTurningRadius.
+std::vector<Vector2> route_line(const StreetNetwork& network, const NetworkGraph& graph,
+                                const std::vector<Leg>& legs, const NetworkRules& rules);
+
+inline constexpr double kRouteStep = 0.5;       ///< metres
+inline constexpr double kTurningRadius = 12.0;  ///< metres, of a 9 m haul truck
+
+}  // namespace stope::source
