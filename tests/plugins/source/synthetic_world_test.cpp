@@ -4,6 +4,7 @@
 
 #include "plugins/source/synthetic_pit/truth.hpp"
 #include "plugins/source/synthetic_pit/world.hpp"
+#include "stope/digest.hpp"
 #include "stope/payloads/point_label.hpp"
 
 namespace stope::source {
