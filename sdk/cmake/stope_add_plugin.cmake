@@ -55,8 +55,8 @@ function(stope_add_plugin id)
   endif()
   target_link_options(
     ${plugin} PRIVATE "LINKER:--version-script=${exports}" LINKER:-z,nodelete LINKER:--build-id=sha1)
-  # The sanitizers' own symbols come from the executable, so that only other builds can ask for all symbols at link time.
-  if(NOT STOPE_SANITIZE AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_MODULE_LINKER_FLAGS}" MATCHES "-fsanitize")
+  # clang's sanitizers take their own symbols from the executable; STOPE_SANITIZE tells that they are in use.
+  if(NOT STOPE_SANITIZE)
     target_link_options(${plugin} PRIVATE LINKER:-z,defs)
   endif()
 endfunction()

@@ -24,12 +24,13 @@ struct AbiNote {
   std::uint32_t eigen_alignment = 0;  ///< EIGEN_MAX_ALIGN_BYTES
   std::uint32_t sanitizers = 0;       ///< bit 0 address, bit 1 thread
   std::uint32_t fast_math = 0;        ///< __FAST_MATH__ was defined
-  std::uint64_t cpu_features = 0;     ///< instruction sets the code needs: see kCpu…
+  std::uint32_t cpu_features = 0;     ///< instruction sets the code needs: see kCpu…
   char plugin_id[48] = {};
   char plugin_version[24] = {};
 };
+static_assert(alignof(AbiNote) == 4, "the note's parts stand at multiples of 4 in the file");
 
-inline constexpr std::uint64_t kCpuAvx = 1, kCpuAvx2 = 2, kCpuFma = 4, kCpuAvx512f = 8;
+inline constexpr std::uint32_t kCpuAvx = 1, kCpuAvx2 = 2, kCpuFma = 4, kCpuAvx512f = 8;
 
 /// The note of the code that includes this header, as its compiler sees it.
 constexpr AbiNote make_abi_note(std::string_view plugin_id, std::string_view plugin_version) {
