@@ -17,9 +17,9 @@ std::string sanitizers_name(std::uint32_t bits) {
   return fmt::format("with sanitizers {:#x}", bits);
 }
 
-std::string missing_features(std::uint64_t needed) {
+std::string missing_features(std::uint32_t needed) {
   std::string missing;
-  const auto need = [&](std::uint64_t feature, bool here, const char* name) {
+  const auto need = [&](std::uint32_t feature, bool here, const char* name) {
     if ((needed & feature) == 0) return;
     needed &= ~feature;
     if (!here) missing += (missing.empty() ? "" : ", ") + std::string(name);

@@ -1,0 +1,3 @@
+#include <csignal>
+
+__attribute__((constructor)) static void crash() { std::raise(SIGSEGV); }
