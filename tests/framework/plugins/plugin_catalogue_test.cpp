@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "stope/payloads.hpp"
 #include "stope/testing/memory_context.hpp"
 #include "stope/testing/memory_ports.hpp"
@@ -35,6 +37,30 @@ TEST(PluginCatalogue, MakesAStageOfAPluginItFound) {
   std::shared_ptr<const void> output;
   ASSERT_TRUE(stage->apply({&input, 1}, context, output));
   EXPECT_EQ(static_cast<const Measures*>(output.get())->values, std::vector{6.0});
+}
+
+TEST(PluginCatalogue, OpensNoLibraryWhoseManifestIsKept) {
+  testing::MemoryContext context;
+  const auto file = context.temporary_folder() / "good.so";
+  std::filesystem::copy_file(GOOD_PLUGIN, file);
+  PluginOptions options = options_for(file);
+  options.manifests = context.temporary_folder() / "manifests";
+  EXPECT_FALSE(PluginCatalogue(options).files().at(0).cached);
+
+  options.probe_limit = std::chrono::milliseconds(0);  // no probe can succeed
+  const PluginCatalogue warm(options);
+  EXPECT_TRUE(warm.files().at(0).cached);
+  EXPECT_EQ(warm.files().at(0).status, PluginStatus::kUsable);
+  EXPECT_NE(warm.create("hostile/good"), nullptr);
+}
+
+TEST(PluginCatalogue, RefusesAFileThatWasReplacedAfterItWasJudged) {
+  testing::MemoryContext context;
+  const auto file = context.temporary_folder() / "good.so";
+  std::filesystem::copy_file(GOOD_PLUGIN, file);
+  const PluginCatalogue catalogue(options_for(file));
+  std::ofstream(file, std::ios::app) << "more";
+  EXPECT_THROW(catalogue.create("hostile/good"), Error);
 }
 
 TEST(PluginCatalogue, SaysThatNoPluginOffersAStage) {
