@@ -38,6 +38,9 @@ class Diagnostics {
   std::vector<Diagnostic> list_;
 };
 
+/// `file:line:column`, without the parts that are 0.
+std::string to_text(const Place& place);
+
 /// `file:line:column: error[P012]: sentence hint`, the form that editors understand.
 std::string to_text(const Diagnostic& diagnostic);
 
