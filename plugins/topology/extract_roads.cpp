@@ -1,0 +1,69 @@
+#include "plugins/topology/extract_roads.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plugins/topology/connect_pieces.hpp"
+#include "plugins/topology/drop_narrow.hpp"
+#include "plugins/topology/merge_junctions.hpp"
+#include "plugins/topology/straighten_junctions.hpp"
+#include "plugins/topology/to_road_graph.hpp"
+
+namespace stope::topology {
+namespace {
+
+constexpr double kJunctionShare = 1.5;
+
+/// Free space, its outlines and the nearest of them for each cell.
+struct Terrain {
+  Terrain(const OccupancyGrid& grid, const ExtractionParams& params, std::int32_t gap)
+      : space(make_free_space(grid, {params.occupied_threshold, params.unknown_is_obstacle})),
+        edges(space.width(), space.height()),
+        outlines(trace_outlines(space, edges, cells_of_area(grid, params), gap)) {
+    find_nearest_outline(space, outlines, edges);
+  }
+  static double cells_of_area(const OccupancyGrid& grid, const ExtractionParams& params) {
+    return params.min_obstacle_area / (grid.frame.resolution * grid.frame.resolution);
+  }
+  FreeSpace space;
+  EdgeGrid edges;
+  Outlines outlines;
+};
+
+void drop_below_clearance(LineNetwork& network, const GridFrame& frame, double clearance) {
+  // Clearance counts from an obstacle's edge, distance from its cell's centre.
+  if (clearance > 0) drop_narrow(network, clearance / frame.resolution + 0.5);
+}
+
+}  // namespace
+
+RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& params) {
+  constexpr std::int32_t kGap = 64;
+  Terrain terrain(grid, params, kGap);
+  const auto corners = find_dividing_lines(
+      terrain.space, terrain.outlines, SideRule::between_outlines(terrain.outlines), terrain.edges);
+  LineNetwork network =
+      trace_lines(terrain.space, terrain.outlines, terrain.edges, corners, {}).network;
+  drop_below_clearance(network, grid.frame, params.min_clearance);
+  merge_junctions(network, kJunctionShare);
+  straighten_junctions(network);
+  return to_road_graph(network, grid.frame, params.simplify);
+}
+
+RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                        const BranchParams& branches) {
+  // Both sides of a branch that reaches so far are at least as long.
+  const double reach = branches.min_branch / grid.frame.resolution;
+  const auto gap = static_cast<std::int32_t>(std::clamp(std::floor(reach), 3.0, 1e6));
+  Terrain terrain(grid, params, gap);
+  const auto corners = find_dividing_lines(
+      terrain.space, terrain.outlines, SideRule::between_sides(terrain.outlines), terrain.edges);
+  LineNetwork network = connect_pieces(terrain.space, terrain.outlines, terrain.edges, corners);
+  drop_below_clearance(network, grid.frame, params.min_clearance);
+  prune_spurs(network, {reach, branches.min_branch_share});
+  merge_junctions(network, kJunctionShare);
+  straighten_junctions(network);
+  return to_road_graph(network, grid.frame, params.simplify);
+}
+
+}  // namespace stope::topology

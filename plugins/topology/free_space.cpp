@@ -1,0 +1,78 @@
+#include "plugins/topology/free_space.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "stope/error.hpp"
+
+namespace stope::topology {
+namespace {
+
+void check(const OccupancyGrid& grid) {
+  const GridFrame& frame = grid.frame;
+  if (frame.width <= 0 || frame.height <= 0)
+    throw Error(fmt::format("the occupancy grid is empty ({} x {} cells); a road graph needs a map",
+                            frame.width, frame.height));
+  if (grid.cells.size() != frame.size())
+    throw Error(
+        fmt::format("the occupancy grid says {} x {} cells but holds {}; its source is "
+                    "at fault",
+                    frame.width, frame.height, grid.cells.size()));
+  if (!(frame.resolution > 0) || !std::isfinite(frame.resolution))
+    throw Error(
+        fmt::format("the occupancy grid has a resolution of {} m a cell; it must be a "
+                    "positive number",
+                    frame.resolution));
+  const auto padded =
+      (static_cast<std::int64_t>(frame.width) + 2) * (static_cast<std::int64_t>(frame.height) + 2);
+  if (padded > std::numeric_limits<CellIndex>::max())
+    throw Error(
+        fmt::format("the occupancy grid has {} x {} cells, more than the 2^31 a road graph "
+                    "can be made of; use a coarser resolution or cut the map",
+                    frame.width, frame.height));
+}
+
+/// The least cell value that is an obstacle; 255 if none is.
+std::uint8_t least_occupied(const OccupancyRule& rule) {
+  return static_cast<std::uint8_t>(
+      std::clamp(std::ceil(rule.occupied_threshold * OccupancyGrid::kOccupied - 1e-9), 0.0, 255.0));
+}
+
+}  // namespace
+
+FreeSpace make_free_space(const OccupancyGrid& grid, const OccupancyRule& rule) {
+  check(grid);
+  FreeSpace space(grid.frame.width, grid.frame.height);
+  const std::int32_t width = space.width(), height = space.height();
+  const std::uint8_t least = least_occupied(rule);
+  const std::uint8_t unknown = rule.unknown_is_obstacle ? kObstacle : 0;
+  std::fill_n(space.padded_row(-1), space.stride(), kObstacle);
+  std::fill_n(space.padded_row(height), space.stride(), kObstacle);
+  std::size_t obstacles = 0;
+  for (std::int32_t row = 0; row < height; ++row) {
+    const std::uint8_t* from =
+        grid.cells.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
+    std::uint8_t* to = space.padded_row(row);
+    to[0] = to[width + 1] = kObstacle;
+    std::uint32_t count = 0;
+    for (std::int32_t column = 0; column < width; ++column) {
+      const std::uint8_t value = from[column];
+      const std::uint8_t known = value >= least ? kObstacle : 0;
+      to[column + 1] = value == OccupancyGrid::kUnknown ? unknown : known;
+      count += to[column + 1];
+    }
+    obstacles += count;
+  }
+  if (obstacles == grid.cells.size())
+    throw Error(fmt::format(
+        "the occupancy grid ({} x {} cells) has no free cell; check its thresholds, whether black "
+        "and white are swapped (negate), and whether unknown cells should count as free",
+        width, height));
+  return space;
+}
+
+}  // namespace stope::topology

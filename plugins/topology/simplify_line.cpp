@@ -1,0 +1,74 @@
+#include "plugins/topology/simplify_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stope::topology {
+namespace {
+
+double distance_to_segment(const LinePoint& point, const LinePoint& a, const LinePoint& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double squared = dx * dx + dy * dy;
+  double part = 0;
+  if (squared > 0)
+    part = std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / squared, 0.0, 1.0);
+  return distance_between(point, {a.x + part * dx, a.y + part * dy, 0});
+}
+
+}  // namespace
+
+std::vector<LinePoint> smooth_line(const std::vector<LinePoint>& points, double least_reach,
+                                   double share) {
+  std::vector<double> way(points.size(), 0);
+  std::vector<LinePoint> sum(points.size() + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) way[i] = way[i - 1] + distance_between(points[i - 1], points[i]);
+    sum[i + 1] = {sum[i].x + points[i].x, sum[i].y + points[i].y,
+                  sum[i].distance + points[i].distance};
+  }
+  std::vector<LinePoint> result = points;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double reach =
+        std::min({std::max(least_reach, share * points[i].distance), way[i], way.back() - way[i]});
+    const auto begin = std::lower_bound(way.begin(), way.end(), way[i] - reach) - way.begin();
+    const auto end = std::upper_bound(way.begin(), way.end(), way[i] + reach) - way.begin();
+    const LinePoint &from = sum[static_cast<std::size_t>(begin)],
+                    &to = sum[static_cast<std::size_t>(end)];
+    const auto count = static_cast<double>(end - begin);
+    result[i] = {(to.x - from.x) / count, (to.y - from.y) / count,
+                 (to.distance - from.distance) / count};
+  }
+  return result;
+}
+
+std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, double tolerance) {
+  if (points.size() <= 2) return points;
+  std::vector<bool> kept(points.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double largest = -1;
+    std::size_t farthest = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distance_to_segment(points[i], points[first], points[last]);
+      if (off <= largest) continue;
+      largest = off;
+      farthest = i;
+    }
+    const bool closed = first == 0 && last + 1 == points.size() &&
+                        distance_between(points[first], points[last]) == 0;
+    if (farthest == first || (largest <= tolerance && !closed)) continue;
+    kept[farthest] = true;
+    open.emplace_back(first, farthest);
+    open.emplace_back(farthest, last);
+  }
+  std::vector<LinePoint> result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (kept[i]) result.push_back(points[i]);
+  return result;
+}
+
+}  // namespace stope::topology

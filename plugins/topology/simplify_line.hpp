@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "plugins/topology/line_network.hpp"
+
+namespace stope::topology {
+
+/// Averages each point with its neighbours along the line within `share` of its distance to the
+/// obstacle, but at least `least_reach` cells, less towards the ends, which stay: takes away the
+/// steps the raster leaves in obstacles' edges, and trembling that is small against the road.
+std::vector<LinePoint> smooth_line(const std::vector<LinePoint>& points, double least_reach,
+                                   double share);
+
+/// Leaves out points that lie within `tolerance` cells of the line without them (Ramer 1972;
+/// Douglas and Peucker 1973). Ends stay; a ring keeps at least two points between them.
+std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, double tolerance);
+
+}  // namespace stope::topology

@@ -1,0 +1,66 @@
+#include "plugins/topology/to_road_graph.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "plugins/topology/simplify_line.hpp"
+
+namespace stope::topology {
+namespace {
+
+constexpr double kNoElevation = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSmoothingReach = 3.0;  // cells
+constexpr double kSmoothingShare = 0.4;  // of the distance to the obstacle
+
+/// The clearance that half of the line's length has at most, in cells: junctions, where more room
+/// is, and pinches do not sway it.
+double median_clearance(const std::vector<LinePoint>& points) {
+  std::vector<std::pair<double, double>> parts;  // distance, length
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double step = distance_between(points[i - 1], points[i]);
+    parts.emplace_back((points[i - 1].distance + points[i].distance) / 2, step);
+    length += step;
+  }
+  std::sort(parts.begin(), parts.end());
+  double sum = 0;
+  for (const auto& [distance, step] : parts) {
+    sum += step;
+    if (2 * sum >= length) return std::max(0.0, distance - 0.5);
+  }
+  return 0;
+}
+
+RoadVertex to_vertex(const LinePoint& point, const GridFrame& frame) {
+  const Vector2 place = frame.to_map(point.x, point.y);
+  return {place.x(), place.y(), kNoElevation,
+          std::max(0.0, point.distance - 0.5) * frame.resolution};
+}
+
+}  // namespace
+
+RoadGraph to_road_graph(const LineNetwork& network, const GridFrame& frame, double tolerance) {
+  RoadGraph graph;
+  for (const auto& node : network.nodes) {
+    const RoadVertex vertex = to_vertex(node.point, frame);
+    graph.nodes.push_back({0, vertex.x, vertex.y, vertex.z});
+  }
+  for (const Line& line : network.lines) {
+    const auto points = simplify_line(smooth_line(line.points, kSmoothingReach, kSmoothingShare),
+                                      tolerance / frame.resolution);
+    RoadEdge edge;
+    edge.from = static_cast<std::uint32_t>(line.from);
+    edge.to = static_cast<std::uint32_t>(line.to);
+    edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
+    edge.vertex_count = static_cast<std::uint32_t>(points.size());
+    for (const LinePoint& point : points) graph.vertices.push_back(to_vertex(point, frame));
+    edge.width = 2 * median_clearance(line.points) * frame.resolution;
+    graph.edges.push_back(edge);
+  }
+  canonicalize(graph);
+  return graph;
+}
+
+}  // namespace stope::topology

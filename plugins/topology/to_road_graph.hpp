@@ -1,0 +1,14 @@
+#pragma once
+
+#include "plugins/topology/line_network.hpp"
+#include "stope/payloads/grid_frame.hpp"
+#include "stope/payloads/road_graph.hpp"
+
+namespace stope::topology {
+
+/// Brings centre lines into the map frame, smoothed and simplified with a tolerance in metres, as a
+/// canonical road graph. Clearance is measured to the obstacle's edge, taken half a cell before its
+/// centre; an edge's width is twice the median clearance along it.
+RoadGraph to_road_graph(const LineNetwork& network, const GridFrame& frame, double tolerance);
+
+}  // namespace stope::topology

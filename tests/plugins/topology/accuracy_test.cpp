@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include "plugins/topology/extract_roads.hpp"
+#include "tests/plugins/topology/graph_checks.hpp"
+#include "tests/plugins/topology/test_grids.hpp"
+
+namespace stope::topology {
+namespace {
+
+/// A network of straight roads of known centre lines and ends.
+struct Network {
+  std::string name;
+  std::vector<Stretch> roads;
+  std::vector<Point> ends, junctions;
+  double half_width = 6;
+};
+
+constexpr double kSize = 200;
+
+std::vector<Network> networks() {
+  std::vector<Network> result;
+  for (const double degrees : {0.0, 17.0, 45.0, 80.0}) {
+    const double c = std::cos(degrees * 3.14159265358979 / 180),
+                 s = std::sin(degrees * 3.14159265358979 / 180);
+    const auto at = [&](double x, double y) {
+      return Point{kSize / 2 + c * x - s * y, kSize / 2 + s * x + c * y};
+    };
+    const std::string suffix = " turned by " + std::to_string(static_cast<int>(degrees));
+    result.push_back({"corridor" + suffix, {{at(-70, 0), at(70, 0)}}, {at(-70, 0), at(70, 0)}, {}});
+    result.push_back({"cross" + suffix,
+                      {{at(-70, 0), at(70, 0)}, {at(0, -70), at(0, 70)}},
+                      {at(-70, 0), at(70, 0), at(0, -70), at(0, 70)},
+                      {at(0, 0)}});
+    result.push_back({"oblique cross" + suffix,
+                      {{at(-70, 0), at(70, 0)}, {at(-40, -60), at(40, 60)}},
+                      {at(-70, 0), at(70, 0), at(-40, -60), at(40, 60)},
+                      {at(0, 0)}});
+    result.push_back({"T" + suffix,
+                      {{at(-70, 0), at(70, 0)}, {at(0, 0), at(0, 60)}},
+                      {at(-70, 0), at(70, 0), at(0, 60)},
+                      {at(0, 0)}});
+    result.push_back({"ring with a spur" + suffix,
+                      {{at(-40, -40), at(40, -40)},
+                       {at(40, -40), at(40, 40)},
+                       {at(40, 40), at(-40, 40)},
+                       {at(-40, 40), at(-40, -40)},
+                       {at(-40, -40), at(-70, -60)}},
+                      {at(-70, -60)},
+                      {at(-40, -40)}});
+  }
+  return result;
+}
+
+OccupancyGrid draw(const Network& network, double resolution, double rough, std::uint64_t seed) {
+  return grid_where(kSize, kSize, resolution, [&](double x, double y) {
+    const double wall = network.half_width + rough * roughness(x, y, 0.5, seed);
+    return distance_to(network.roads, {x, y}) <= wall;
+  });
+}
+
+/// Shares of the graph's length that lie within a distance of the true centre lines.
+double share_within(const RoadGraph& roads, const Network& network, double distance) {
+  double near = 0, all = 0;
+  for (const RoadEdge& edge : roads.edges) {
+    const auto line = roads.polyline(edge);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const double step = std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+      const int parts = static_cast<int>(step / 0.1) + 1;
+      for (int k = 0; k < parts; ++k) {
+        const double part = (k + 0.5) / parts;
+        const Point point{line[i - 1].x + part * (line[i].x - line[i - 1].x),
+                          line[i - 1].y + part * (line[i].y - line[i - 1].y)};
+        all += step / parts;
+        if (distance_to(network.roads, point) <= distance) near += step / parts;
+      }
+    }
+  }
+  return near / all;
+}
+
+double farthest(const std::vector<Point>& truth, const std::vector<RoadNode>& found) {
+  double worst = 0;
+  for (const Point& end : truth) {
+    double least = 1e9;
+    for (const RoadNode& node : found)
+      least = std::min(least, std::hypot(node.x - end.x, node.y - end.y));
+    worst = std::max(worst, least);
+  }
+  return worst;
+}
+
+std::vector<RoadNode> junctions_of(const RoadGraph& roads) {
+  std::vector<RoadNode> result;
+  for (const int degree : {3, 4})
+    for (const RoadNode& node : nodes_of_degree(roads, degree)) result.push_back(node);
+  return result;
+}
+
+class Accuracy : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(Accuracy, VoronoiFollowsCentreLinesToTheirEnds) {
+  const auto [resolution, rough] = GetParam();
+  std::uint64_t seed = 0;
+  for (const Network& network : networks()) {
+    const OccupancyGrid grid = draw(network, resolution, rough, ++seed);
+    const RoadGraph roads = voronoi_roads(grid, {}, {});
+    EXPECT_EQ(nodes_of_degree(roads, 1).size(), network.ends.size()) << network.name;
+    EXPECT_EQ(junctions_of(roads).size(), network.junctions.size()) << network.name;
+    // A road's end is the centre of its last full-width circle.
+    EXPECT_LE(farthest(network.ends, nodes_of_degree(roads, 1)), 1.0 + 2 * rough) << network.name;
+    EXPECT_LE(farthest(network.junctions, junctions_of(roads)), 2.0 + rough) << network.name;
+    EXPECT_GE(share_within(roads, network, 1.0), 0.95) << network.name;
+    if (rough == 0) {
+      EXPECT_NEAR(roads.edges[0].width, 2 * network.half_width, 1.0) << network.name;
+    }
+  }
+}
+
+TEST_P(Accuracy, WatershedFollowsCentreLinesOfLoops) {
+  const auto [resolution, rough] = GetParam();
+  std::uint64_t seed = 100;
+  for (const Network& network : networks()) {
+    const OccupancyGrid grid = draw(network, resolution, rough, ++seed);
+    const RoadGraph roads = watershed_roads(grid, {});
+    EXPECT_TRUE(nodes_of_degree(roads, 1).empty());
+    if (!network.name.starts_with("ring")) {
+      EXPECT_TRUE(roads.edges.empty()) << network.name << " has no hole, so no watershed";
+      continue;
+    }
+    EXPECT_EQ(roads.edges.size(), 1U);
+    EXPECT_GE(share_within(roads, network, 1.0), 0.95) << network.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Resolutions, Accuracy,
+                         testing::Combine(testing::Values(0.25, 0.5), testing::Values(0.0, 0.8)));
+
+TEST(Accuracy, ASquareFaceEndsTheRoadWhereItsFullWidthEnds) {
+  const OccupancyGrid grid = grid_where(
+      100, 40, 0.25, [](double x, double y) { return x > 10 && x < 90 && y > 13 && y < 27; });
+  const RoadGraph roads = voronoi_roads(grid, {}, {});
+  ASSERT_EQ(roads.nodes.size(), 2U);
+  EXPECT_NEAR(roads.nodes[0].x, 17, 1.0);
+  EXPECT_NEAR(roads.nodes[0].y, 20, 1.0);
+  EXPECT_NEAR(roads.nodes[1].x, 83, 1.0);
+  EXPECT_NEAR(roads.nodes[1].y, 20, 1.0);
+}
+
+TEST(Accuracy, ABayIsNoRoadAndAStubIs) {
+  const auto with_side_road = [](double depth) {
+    return grid_where(120, 60, 0.25, [=](double x, double y) {
+      return (x > 10 && x < 110 && y > 14 && y < 26) ||
+             (x > 55 && x < 65 && y > 20 && y < 26 + depth);
+    });
+  };
+  EXPECT_EQ(voronoi_roads(with_side_road(3), {}, {}).edges.size(), 1U);
+  EXPECT_EQ(voronoi_roads(with_side_road(20), {}, {}).edges.size(), 3U);
+}
+
+TEST(Accuracy, NarrowRoadsAreDropped) {
+  const OccupancyGrid grid = grid_where(120, 60, 0.25, [](double x, double y) {
+    return (x > 10 && x < 50 && y > 20 && y < 40) || (x > 70 && x < 110 && y > 20 && y < 40) ||
+           (y > 28.5 && y < 31.5 && x > 40 && x < 80);
+  });
+  ExtractionParams params;
+  params.min_clearance = 1.0;
+  EXPECT_EQ(betti_of(voronoi_roads(grid, params, {})).pieces, 1);
+  params.min_clearance = 2.0;
+  EXPECT_EQ(betti_of(voronoi_roads(grid, params, {})).pieces, 2);
+}
+
+}  // namespace
+}  // namespace stope::topology

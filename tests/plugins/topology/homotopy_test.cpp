@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include "plugins/topology/extract_roads.hpp"
+#include "tests/plugins/topology/graph_checks.hpp"
+#include "tests/plugins/topology/test_grids.hpp"
+
+namespace stope::topology {
+namespace {
+
+ExtractionParams everything() {
+  ExtractionParams params;
+  params.min_clearance = 0;
+  params.min_obstacle_area = 0;
+  return params;
+}
+
+class Homotopy : public testing::TestWithParam<std::tuple<double, int, double>> {};
+
+TEST_P(Homotopy, VoronoiHasAPieceForEachPieceAndACycleForEachHole) {
+  const auto [free, block, min_branch] = GetParam();
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const OccupancyGrid grid = random_grid(90, 70, free, block, seed);
+    const RoadGraph roads = voronoi_roads(grid, everything(), {min_branch, 0.75});
+    EXPECT_EQ(betti_of(roads).pieces, betti_of(grid).pieces) << "seed " << seed;
+    EXPECT_EQ(betti_of(roads).cycles, betti_of(grid).cycles) << "seed " << seed;
+  }
+}
+
+TEST_P(Homotopy, WatershedHasACycleForEachHole) {
+  const auto [free, block, min_branch] = GetParam();
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const OccupancyGrid grid = random_grid(90, 70, free, block, seed);
+    const RoadGraph roads = watershed_roads(grid, everything());
+    EXPECT_EQ(betti_of(roads).cycles, betti_of(grid).cycles) << "seed " << seed;
+    EXPECT_TRUE(nodes_of_degree(roads, 1).empty()) << "a watershed has no end";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomGrids, Homotopy,
+                         testing::Combine(testing::Values(0.3, 0.6, 0.9, 0.98),
+                                          testing::Values(1, 4, 9),
+                                          testing::Values(0.0, 5.0, 20.0)));
+
+}  // namespace
+}  // namespace stope::topology
