@@ -23,7 +23,6 @@ MapProcess::MapProcess(std::string name, const RunServices& services,
                        std::unique_ptr<StageInstance> instance)
     : Process(std::move(name), services),
       pool_(services.pool),
-      store_(services.store),
       context_(*this, services),
       instance_(std::move(instance)) {}
 
@@ -148,7 +147,7 @@ bool MapProcess::write_done() {
       throw Error(item.outcome.sentence);
     }
     work_ += item.work;
-    std::shared_ptr<Payload> output = std::move(item.output);
+    std::shared_ptr<RunPayload> output = std::move(item.output);
     const Stamp stamp = item.stamp;
     const std::uint64_t index = item.index;
     window_->advance();
@@ -168,7 +167,7 @@ void MapProcess::apply(MapItem& item) {
     applied = instance_->apply(item.inputs, context, output);
     for (const std::size_t port : streams_) item.inputs[port] = {};
     if (!applied) return;
-    if (outputs()[0]->wanted()) item.output = store_.keep(outputs()[0]->type(), std::move(output));
+    if (outputs()[0]->wanted()) item.output = outputs()[0]->make_payload(std::move(output));
   });
   item.outcome = kept ? applied : kept;
   item.work = trace().now() - begin;

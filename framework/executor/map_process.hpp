@@ -35,7 +35,6 @@ class MapProcess final : public Process {
   void apply(MapItem& item);
 
   WorkerPool& pool_;
-  PayloadStore& store_;
   StageContext context_;
   std::unique_ptr<StageInstance> instance_;
   std::shared_ptr<MapWindow> window_;

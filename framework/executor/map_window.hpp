@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/executor/doorbell.hpp"
+#include "framework/executor/run_payload.hpp"
 #include "framework/executor/worker_pool.hpp"
 #include "stope/stage_instance.hpp"
 
@@ -17,7 +18,7 @@ struct MapItem {
   std::vector<AnyItem> inputs;  ///< one for each port
   Stamp stamp = 0;
   std::uint64_t index = 0;
-  std::shared_ptr<Payload> output;  ///< none if nobody reads it
+  std::shared_ptr<RunPayload> output;  ///< none if nobody reads it
   Outcome outcome;
   std::int64_t work = 0;  ///< ns
 };

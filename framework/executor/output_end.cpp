@@ -12,13 +12,23 @@ namespace stope {
 
 OutputEnd::OutputEnd(Process& process, PayloadStore& store, const PayloadType& type,
                      std::string name, bool stream)
-    : process_(process), store_(store), type_(type), name_(std::move(name)), stream_(stream) {}
+    : process_(process),
+      store_(store),
+      shelf_(store.add_shelf()),
+      type_(type),
+      name_(std::move(name)),
+      stream_(stream) {}
+
+void OutputEnd::wire(Channel& channel) {
+  channels_.push_back(&channel);
+  shelf_.add_reader(channel);
+}
 
 void OutputEnd::put(Stamp stamp, std::optional<std::uint64_t> index,
                     std::shared_ptr<const void> value) {
   const std::uint64_t place = check(stamp, index);
   if (!value) throw Error(fmt::format("output \"{}\" was given an item without a value", name_));
-  if (wanted()) send({stamp, place, store_.keep(type_, std::move(value))});
+  if (wanted()) send(stamp, place, make_payload(std::move(value)));
 }
 
 void OutputEnd::put_lazy(Stamp stamp, std::optional<std::uint64_t> index, PayloadLoader load,
@@ -26,12 +36,16 @@ void OutputEnd::put_lazy(Stamp stamp, std::optional<std::uint64_t> index, Payloa
   const std::uint64_t place = check(stamp, index);
   if (!load)
     throw Error(fmt::format("output \"{}\" was given a lazy item without a loader", name_));
-  if (wanted()) send({stamp, place, store_.keep_lazy(type_, std::move(load), bytes)});
+  if (wanted()) send(stamp, place, store_.keep_lazy(type_, std::move(load), bytes, shelf_));
 }
 
-void OutputEnd::put(Stamp stamp, std::uint64_t index, std::shared_ptr<Payload> payload) {
+std::shared_ptr<RunPayload> OutputEnd::make_payload(std::shared_ptr<const void> value) {
+  return store_.keep(type_, std::move(value), shelf_);
+}
+
+void OutputEnd::put(Stamp stamp, std::uint64_t index, std::shared_ptr<RunPayload> payload) {
   check(stamp, index);
-  if (wanted()) send({stamp, index, std::move(payload)});
+  if (wanted()) send(stamp, index, std::move(payload));
 }
 
 std::uint64_t OutputEnd::check(Stamp stamp, std::optional<std::uint64_t> index) {
@@ -56,7 +70,9 @@ std::uint64_t OutputEnd::check(Stamp stamp, std::optional<std::uint64_t> index) 
   return place;
 }
 
-void OutputEnd::send(AnyItem item) {
+void OutputEnd::send(Stamp stamp, std::uint64_t index, std::shared_ptr<RunPayload> payload) {
+  payload->set_place(items());
+  AnyItem item{stamp, index, std::move(payload)};
   bool lost_reader = false;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& channel = *channels_[i];
@@ -68,7 +84,7 @@ void OutputEnd::send(AnyItem item) {
       channel.push(std::move(item));
     }
   }
-  items_.store(items_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  items_.store(items() + 1, std::memory_order_relaxed);
   if (!lost_reader) return;
   for (const auto& output : process_.outputs()) {
     if (output->wanted() && !output->abandoned()) return;

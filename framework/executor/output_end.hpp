@@ -18,10 +18,9 @@ class OutputEnd final : public OutputPort {
  public:
   OutputEnd(Process& process, PayloadStore& store, const PayloadType& type, std::string name,
             bool stream);
-  void wire(Channel& channel) { channels_.push_back(&channel); }
+  void wire(Channel& channel);
 
   const std::string& name() const { return name_; }
-  const PayloadType& type() const { return type_; }
   bool stream() const { return stream_; }
 
   bool wanted() const override { return !channels_.empty(); }
@@ -29,8 +28,10 @@ class OutputEnd final : public OutputPort {
            std::shared_ptr<const void> value) override;
   void put_lazy(Stamp stamp, std::optional<std::uint64_t> index, PayloadLoader load,
                 std::size_t bytes) override;
+  /// Makes a payload for this output. From any thread.
+  std::shared_ptr<RunPayload> make_payload(std::shared_ptr<const void> value);
   /// Writes a payload made before.
-  void put(Stamp stamp, std::uint64_t index, std::shared_ptr<Payload> payload);
+  void put(Stamp stamp, std::uint64_t index, std::shared_ptr<RunPayload> payload);
 
   /// Whether it is wired and everyone who reads it has left.
   bool abandoned() const;
@@ -42,10 +43,11 @@ class OutputEnd final : public OutputPort {
 
  private:
   std::uint64_t check(Stamp stamp, std::optional<std::uint64_t> index);
-  void send(AnyItem item);
+  void send(Stamp stamp, std::uint64_t index, std::shared_ptr<RunPayload> payload);
 
   Process& process_;
   PayloadStore& store_;
+  Shelf& shelf_;
   const PayloadType& type_;
   std::string name_;
   bool stream_;

@@ -1,20 +1,38 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <string>
 
-#include "stope/payload.hpp"
+#include "framework/executor/memory_budget.hpp"
+#include "framework/executor/run_payload.hpp"
 
 namespace stope {
 
 /// Makes the payloads of a run and keeps them within its memory.
 class PayloadStore {
  public:
-  /// A payload of a value that exists.
-  std::shared_ptr<Payload> keep(const PayloadType& type, std::shared_ptr<const void> value);
+  /// See MemoryBudget.
+  PayloadStore(std::size_t limit, ScratchFolder& scratch,
+               std::function<void(const std::string&)> disk_failed)
+      : budget_(std::make_shared<MemoryBudget>(limit, scratch, std::move(disk_failed))) {}
+
+  /// One for each output. Before the run begins.
+  Shelf& add_shelf() { return budget_->add_shelf(); }
+  /// A payload of a value that exists. From any thread.
+  std::shared_ptr<RunPayload> keep(const PayloadType& type, std::shared_ptr<const void> value,
+                                   Shelf& shelf);
   /// A payload whose value `load` makes when it is touched; `bytes` is its size, about.
-  std::shared_ptr<Payload> keep_lazy(const PayloadType& type, PayloadLoader load,
-                                     std::size_t bytes);
+  std::shared_ptr<RunPayload> keep_lazy(const PayloadType& type, PayloadLoader load,
+                                        std::size_t bytes, Shelf& shelf);
+
+  void look() { budget_->look(); }
+  void close() { budget_->close(); }
+  void record(RunRecord& record) const { budget_->record(record); }
+
+ private:
+  std::shared_ptr<MemoryBudget> budget_;  ///< payloads share it and may outlive the run
 };
 
 }  // namespace stope

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "framework/executor/allocator.hpp"
 #include "framework/executor/monitor.hpp"
 #include "framework/executor/network.hpp"
 
@@ -17,12 +18,13 @@ std::size_t count_processes(const Plan& plan, const std::vector<Sink>& sinks) {
   return plan.stages.size() + sinks.size();
 }
 
-void run_network(Network& network, RunState& state, const RunOptions& options,
+void run_network(Network& network, RunState& state, PayloadStore& store, const RunOptions& options,
                  const std::function<void(const RunProgress&)>& progress) {
   {
     int looks = 0;
     const Monitor monitor([&] {
       if (options.stop && options.stop->load()) state.cancel();
+      store.look();
       if (progress && looks++ % kLooksPerProgress == 0) progress(network.progress());
     });
     network.run(state);
@@ -41,7 +43,9 @@ RunRecord run_plan(const Plan& plan, const Catalogue& catalogue, const std::vect
   RunState state;
   {
     ScratchFolder scratch(options.scratch);
-    PayloadStore store;
+    set_allocator_up();
+    PayloadStore store(options.memory, scratch,
+                       [&](const std::string& sentence) { state.fail("", sentence); });
     RunLog log(observer);
     WaitGraph waits(processes);
     WorkerPool pool(options.threads);
@@ -51,11 +55,13 @@ RunRecord run_plan(const Plan& plan, const Catalogue& catalogue, const std::vect
         options.seed, begin, kSpansOfARun / std::max<std::size_t>(processes, 1)};
     try {
       Network network(plan, catalogue, sinks, options.channel_capacity, services);
-      run_network(network, state, options, progress);
+      run_network(network, state, store, options, progress);
       network.record(record);
     } catch (const Error& error) {
       state.fail("", error.what());
     }
+    store.close();
+    store.record(record);
   }
   record.end = state.end();
   record.sentence = state.sentence();

@@ -21,6 +21,8 @@ void Trace::end_life() {
 
 void Trace::add(Activity activity, std::int64_t begin) {
   const std::int64_t end = now();
+  // A payload's loader may have loaded another: that time is counted already.
+  begin = std::max(begin, last_end_);
   if (begin > last_end_) keep(Activity::kRun, last_end_, begin);
   keep(activity, begin, end);
   last_end_ = end;

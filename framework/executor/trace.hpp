@@ -47,4 +47,19 @@ class Trace {
   std::vector<Span> spans_;
 };
 
+/// Puts the time from its making to its end down to input and output of this thread's process.
+class IoSpan {
+ public:
+  IoSpan() : trace_(Trace::of_this_thread()), begin_(trace_ ? trace_->now() : 0) {}
+  ~IoSpan() {
+    if (trace_) trace_->add(Activity::kIo, begin_);
+  }
+  IoSpan(const IoSpan&) = delete;
+  IoSpan& operator=(const IoSpan&) = delete;
+
+ private:
+  Trace* trace_;
+  std::int64_t begin_;
+};
+
 }  // namespace stope
