@@ -24,7 +24,8 @@ MapProcess::MapProcess(std::string name, const RunServices& services,
     : Process(std::move(name), services),
       pool_(services.pool),
       context_(*this, services),
-      instance_(std::move(instance)) {}
+      instance_(std::move(instance)),
+      most_bytes_(services.store.bytes_of_a_window()) {}
 
 Outcome MapProcess::work() {
   open();
@@ -70,7 +71,7 @@ void MapProcess::hold_values() {
 }
 
 bool MapProcess::read_step() {
-  while (window_->full()) {
+  while (full()) {
     wait_for_oldest();
     write_done();
   }
@@ -125,6 +126,11 @@ AnyItem MapProcess::next(InputEnd& input) {
   }
 }
 
+bool MapProcess::full() const {
+  return window_->full() || (window_->size() >= static_cast<std::size_t>(pool_.threads()) &&
+                             unwritten_bytes_.load() > most_bytes_);
+}
+
 void MapProcess::wait_for_oldest() {
   if (window_->oldest_done()) return;
   wake_writers();
@@ -148,6 +154,7 @@ bool MapProcess::write_done() {
     }
     work_ += item.work;
     std::shared_ptr<RunPayload> output = std::move(item.output);
+    if (output) unwritten_bytes_.fetch_sub(output->bytes());
     const Stamp stamp = item.stamp;
     const std::uint64_t index = item.index;
     window_->advance();
@@ -167,7 +174,9 @@ void MapProcess::apply(MapItem& item) {
     applied = instance_->apply(item.inputs, context, output);
     for (const std::size_t port : streams_) item.inputs[port] = {};
     if (!applied) return;
-    if (outputs()[0]->wanted()) item.output = outputs()[0]->make_payload(std::move(output));
+    if (!outputs()[0]->wanted()) return;
+    item.output = outputs()[0]->make_payload(std::move(output));
+    unwritten_bytes_.fetch_add(item.output->bytes());
   });
   item.outcome = kept ? applied : kept;
   item.work = trace().now() - begin;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,8 @@ class MapProcess final : public Process {
   AnyItem next(InputEnd& input);
   /// Writes all done items at the front of the window. False if there were none.
   bool write_done();
+  /// Whether nothing more should be begun before something is written.
+  bool full() const;
   void wait_for_oldest();
   void apply(MapItem& item);
 
@@ -40,6 +43,8 @@ class MapProcess final : public Process {
   std::shared_ptr<MapWindow> window_;
   std::vector<std::size_t> streams_;                      ///< ports that carry a stream
   std::vector<std::shared_ptr<const void>> held_values_;  ///< stay in memory while the map runs
+  std::size_t most_bytes_;
+  std::atomic<std::size_t> unwritten_bytes_{0};  ///< of payloads in the window
   std::int64_t work_ = 0;
 };
 

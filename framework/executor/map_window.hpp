@@ -41,6 +41,7 @@ class MapWindow : public std::enable_shared_from_this<MapWindow>, public PoolTas
   /// Of the process:
   bool empty() const { return oldest_.load() == submitted_.load(); }
   bool full() const { return submitted_.load() - oldest_.load() == places_.size(); }
+  std::size_t size() const { return static_cast<std::size_t>(submitted_.load() - oldest_.load()); }
   /// The place to fill next. The window must not be full.
   MapItem& newest() { return places_[submitted_.load() % places_.size()].item; }
   std::vector<MapItem*> all();

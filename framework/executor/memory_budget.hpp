@@ -31,6 +31,7 @@ class MemoryBudget {
   MemoryBudget(std::size_t limit, ScratchFolder& scratch,
                std::function<void(const std::string&)> disk_failed);
 
+  std::size_t limit() const { return limit_; }
   /// One for each output. Before the run begins.
   Shelf& add_shelf();
 

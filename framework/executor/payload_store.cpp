@@ -16,7 +16,7 @@ std::shared_ptr<RunPayload> PayloadStore::keep(const PayloadType& type,
                                                std::shared_ptr<const void> value, Shelf& shelf) {
   const std::size_t bytes = type.size(value.get());
   budget_->make_room(bytes);
-  if (bytes < kSmall) return std::make_shared<SmallPayload>(type, std::move(value));
+  if (bytes < kSmall) return std::make_shared<SmallPayload>(type, std::move(value), bytes);
   return std::make_shared<StoredPayload>(type, std::move(value), bytes, budget_, shelf);
 }
 

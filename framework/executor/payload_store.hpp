@@ -27,6 +27,9 @@ class PayloadStore {
   std::shared_ptr<RunPayload> keep_lazy(const PayloadType& type, PayloadLoader load,
                                         std::size_t bytes, Shelf& shelf);
 
+  /// How many bytes a map may have made and not written yet: they cannot be evicted.
+  std::size_t bytes_of_a_window() const { return budget_->limit() / 32; }
+
   void look() { budget_->look(); }
   void close() { budget_->close(); }
   void record(RunRecord& record) const { budget_->record(record); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -11,6 +12,8 @@ namespace stope {
 /// A payload of a run.
 class RunPayload : public Payload {
  public:
+  /// Bytes it takes when it is in memory, about.
+  virtual std::size_t bytes() const = 0;
   /// It has become the item number `place` of its output.
   virtual void set_place(std::uint64_t /*place*/) {}
 };
@@ -18,14 +21,16 @@ class RunPayload : public Payload {
 /// A payload too small to be worth moving to disk.
 class SmallPayload final : public RunPayload {
  public:
-  SmallPayload(const PayloadType& type, std::shared_ptr<const void> value)
-      : type_(type), value_(std::move(value)) {}
+  SmallPayload(const PayloadType& type, std::shared_ptr<const void> value, std::size_t bytes)
+      : type_(type), value_(std::move(value)), bytes_(bytes) {}
+  std::size_t bytes() const override { return bytes_; }
   const PayloadType& type() const noexcept override { return type_; }
   std::shared_ptr<const void> pin() override { return value_; }
 
  private:
   const PayloadType& type_;
   std::shared_ptr<const void> value_;
+  std::size_t bytes_;
 };
 
 }  // namespace stope

@@ -28,6 +28,8 @@ class StoredPayload final : public RunPayload, public std::enable_shared_from_th
 
   const PayloadType& type() const noexcept override { return type_; }
   std::shared_ptr<const void> pin() override;
+  /// As it was last seen in memory.
+  std::size_t bytes() const override { return bytes_.load(std::memory_order_relaxed); }
   void set_place(std::uint64_t place) override;
   std::uint64_t place() const { return *place_; }
 
@@ -49,7 +51,7 @@ class StoredPayload final : public RunPayload, public std::enable_shared_from_th
   std::mutex mutex_;
   std::atomic<int> state_;
   std::shared_ptr<const void> value_;
-  std::size_t bytes_;
+  std::atomic<std::size_t> bytes_;
   std::optional<SpillPlace> spilled_;
   std::optional<std::uint64_t> place_;
 };

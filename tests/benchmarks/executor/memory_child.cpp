@@ -54,8 +54,8 @@ class Recording final : public Stage {
   void run(Context&) override {
     const auto words = static_cast<std::size_t>(params.words);
     for (std::int64_t i = 0; i < params.count; ++i)
-      blobs.put_lazy(i, [i, words] { return make_blob(static_cast<std::uint64_t>(i), words); },
-                     8 * words);
+      blobs.put_lazy(
+          i, [i, words] { return make_blob(static_cast<std::uint64_t>(i), words); }, 8 * words);
   }
 };
 
@@ -136,8 +136,7 @@ int run(const std::string& kind, std::size_t bytes, int threads, std::size_t bud
   }
   std::cout << static_cast<double>(record.peak_resident) / static_cast<double>(budget) << " "
             << static_cast<double>(record.wall) * 1e-9 << " " << record.payloads_loaded << " "
-            << record.payloads_spilled << " " << record.payloads_evicted << " " << checksum
-            << "\n";
+            << record.payloads_spilled << " " << record.payloads_evicted << " " << checksum << "\n";
   return 0;
 }
 
@@ -146,7 +145,8 @@ int run(const std::string& kind, std::size_t bytes, int threads, std::size_t bud
 
 int main(int count, char** arguments) {
   if (count != 6) {
-    std::cerr << "memory_child lazy|derived <payload bytes> <threads> <budget MiB> <recording MiB>\n";
+    std::cerr
+        << "memory_child lazy|derived <payload bytes> <threads> <budget MiB> <recording MiB>\n";
     return 2;
   }
   return stope::toy::run(arguments[1], std::strtoull(arguments[2], nullptr, 10),
