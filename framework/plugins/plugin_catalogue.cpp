@@ -47,7 +47,7 @@ void PluginCatalogue::scan() {
       std::sort(file.stages.begin(), file.stages.end());
     } catch (const PluginRefused& refused) {
       file.status = refused.status();
-      file.sentence = fmt::format("{}: {}", path.string(), refused.what());
+      file.sentence = refused.what();
     }
   }
 }

@@ -35,10 +35,11 @@ std::string_view status_name(PluginStatus status);
 struct PluginFile {
   std::filesystem::path path;
   PluginStatus status = PluginStatus::kUsable;
-  std::string sentence;  ///< what is wrong and what to do; empty if nothing is
+  std::string sentence;  ///< what is wrong with it and what to do; empty if nothing is
   std::string plugin_id, plugin_version, build_id;  ///< as far as they could be read
   std::vector<std::string> stages;                  ///< ids of the usable ones, ordered
   bool cached = false;  ///< what it declares is known from an earlier probe
+  bool usable() const { return status == PluginStatus::kUsable; }
 };
 
 /// Thrown where a file turns out unusable. The text is the sentence, without the file's name.

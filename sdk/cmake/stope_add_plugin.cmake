@@ -6,6 +6,10 @@
 # Makes two targets:
 #   stope_plugin_<id>  the library. Include directories, definitions and options given to it (PRIVATE) reach the sources.
 #   stope_stages_<id>  the same objects, to link into unit tests of the stages.
+#
+# Where the library is built: STOPE_PLUGIN_OUTPUT_DIRECTORY, or the current build folder. `cmake --install` puts it into
+# lib/stope/plugins, where the Stope of that prefix finds it, or into STOPE_PLUGIN_INSTALL_DIRECTORY; nowhere if that is
+# set and empty.
 function(stope_add_plugin id)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "VERSION" "STAGES;SOURCES;LIBRARIES")
   if(NOT arg_STAGES)
@@ -49,15 +53,30 @@ function(stope_add_plugin id)
     # No contraction: the same bytes on every machine. No unique symbols: they would be shared between plugins.
     target_compile_options(${target} PRIVATE -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   endforeach()
-  set_target_properties(${plugin} PROPERTIES PREFIX "" OUTPUT_NAME "${id}" LINK_DEPENDS "${exports}")
+  # Installed, libstope.so is two folders up; other libraries are where they were found.
+  set_target_properties(
+    ${plugin} PROPERTIES PREFIX "" OUTPUT_NAME "${id}" LINK_DEPENDS "${exports}" INSTALL_RPATH "$ORIGIN/../.."
+                         INSTALL_RPATH_USE_LINK_PATH ON)
   if(STOPE_PLUGIN_OUTPUT_DIRECTORY)
     set_target_properties(${plugin} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${STOPE_PLUGIN_OUTPUT_DIRECTORY}")
   endif()
   target_link_options(
     ${plugin} PRIVATE "LINKER:--version-script=${exports}" LINKER:-z,nodelete LINKER:--build-id=sha1)
-  # clang's sanitizers take their own symbols from the executable; STOPE_SANITIZE tells that they are in use.
-  if(NOT STOPE_SANITIZE)
+  if(STOPE_SANITIZE)
+    # Both sides alike, and the tests that link the stages with them. clang's sanitizers take their own symbols from the
+    # executable, so that the linker cannot ask for all symbols.
+    target_compile_options(${stages} PUBLIC "-fsanitize=${STOPE_SANITIZE}")
+    target_link_options(${stages} PUBLIC "-fsanitize=${STOPE_SANITIZE}")
+    target_compile_options(${plugin} PRIVATE "-fsanitize=${STOPE_SANITIZE}")
+    target_link_options(${plugin} PRIVATE "-fsanitize=${STOPE_SANITIZE}")
+  else()
     target_link_options(${plugin} PRIVATE LINKER:-z,defs)
+  endif()
+
+  if(NOT DEFINED STOPE_PLUGIN_INSTALL_DIRECTORY)
+    install(TARGETS ${plugin} LIBRARY DESTINATION lib/stope/plugins)
+  elseif(STOPE_PLUGIN_INSTALL_DIRECTORY)
+    install(TARGETS ${plugin} LIBRARY DESTINATION "${STOPE_PLUGIN_INSTALL_DIRECTORY}")
   endif()
 endfunction()
 
