@@ -1,0 +1,56 @@
+// Road graphs of synthetic pits held against the pits' true road graphs: watershed and Voronoi, on
+// the true drivable grid.
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "road_accuracy.hpp"
+#include "synthetic_roads.hpp"
+
+namespace {
+
+using namespace stope::testing;
+
+void add(RoadAccuracy& sum, const RoadAccuracy& one) {
+  sum.length_in_roads += one.length_in_roads;
+  sum.length_near += one.length_near;
+  sum.true_length += one.true_length;
+  sum.true_length_found += one.true_length_found;
+  sum.dead_ends += one.dead_ends;
+  sum.dead_ends_found += one.dead_ends_found;
+  sum.spurs += one.spurs;
+  sum.cycles += one.cycles;
+  sum.true_cycles += one.true_cycles;
+}
+
+void print(const char* what, const RoadAccuracy& a) {
+  std::printf(
+      "%-28s within 1 m: %6.2f %% of %7.0f m found, %6.2f %% of %7.0f m true; dead ends %zu / %zu, "
+      "spurs %zu, "
+      "cycles %ld (true %ld)\n",
+      what, 100 * a.correctness(), a.length_in_roads, 100 * a.completeness(), a.true_length,
+      a.dead_ends_found, a.dead_ends, a.spurs, a.cycles, a.true_cycles);
+}
+
+}  // namespace
+
+int main() {
+  const std::vector<double> sizes{300, 500, 1000};
+  for (const Extractor extractor : {Extractor::kVoronoi, Extractor::kWatershed}) {
+    const char* name = extractor == Extractor::kVoronoi ? "voronoi" : "watershed";
+    RoadAccuracy sum;
+    for (const double size : sizes) {
+      for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const SyntheticRoads pit = synthetic_roads(size, seed);
+        const RoadAccuracy one = measure_roads(extract_roads(pit.grid, extractor), pit.roads);
+        char label[64];
+        std::snprintf(label, sizeof(label), "%s %4.0f m seed %lu", name, size,
+                      static_cast<unsigned long>(seed));
+        print(label, one);
+        add(sum, one);
+      }
+    }
+    print(name, sum);
+  }
+}
