@@ -6,7 +6,7 @@
 #include "framework/cli/exit_code.hpp"
 #include "framework/cli/load_pipeline.hpp"
 #include "framework/pipeline/schema.hpp"
-#include "framework/report/pipeline_graph.hpp"
+#include "framework/report/graph/graph.hpp"
 
 namespace stope {
 

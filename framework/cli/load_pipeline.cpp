@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/cli/exit_code.hpp"
-#include "framework/pipeline/check_pipeline.hpp"
+#include "framework/pipeline/check.hpp"
 
 namespace stope {
 namespace {
@@ -34,6 +34,18 @@ void print(const std::vector<Diagnostic>& list, bool json) {
 }
 
 }  // namespace
+
+std::unique_ptr<PluginCatalogue> load_catalogue(const Arguments& arguments) {
+  auto catalogue = std::make_unique<PluginCatalogue>(default_plugin_options(arguments.plugin_path));
+  for (const std::string& sentence : catalogue->warnings()) {
+    fmt::print(stderr, "warning: {}\n", sentence);
+  }
+  for (const PluginFile& file : catalogue->files()) {
+    if (file.status == PluginStatus::kUsable) continue;
+    fmt::print(stderr, "warning: {}: {}\n", file.path.string(), file.sentence);
+  }
+  return catalogue;
+}
 
 LoadedPipeline load_pipeline(const Arguments& arguments) {
   LoadedPipeline loaded;

@@ -7,10 +7,16 @@
 #include "framework/cli/exit_code.hpp"
 #include "framework/cli/load_pipeline.hpp"
 #include "framework/cli/stage_text.hpp"
-#include "framework/pipeline/interchangeable.hpp"
+#include "framework/pipeline/members.hpp"
 
 namespace stope {
 namespace {
+
+std::vector<std::string> others(const Catalogue& catalogue, const std::string& id) {
+  auto members = interchangeable_members(catalogue, id);
+  std::erase(members, id);
+  return members;
+}
 
 nlohmann::ordered_json stage_json(const StageRecord& record, const Catalogue& catalogue) {
   const StageInfo& info = record.info;
@@ -42,7 +48,7 @@ nlohmann::ordered_json stage_json(const StageRecord& record, const Catalogue& ca
                                   {"required", parameter.limits.required},
                                   {"doc", parameter.doc}});
   }
-  json["interchangeable"] = interchangeable_members(catalogue, info.id);
+  json["interchangeable"] = others(catalogue, info.id);
   return json;
 }
 
@@ -51,15 +57,18 @@ nlohmann::ordered_json stage_json(const StageRecord& record, const Catalogue& ca
 int stages_command(const Arguments& arguments) {
   const auto catalogue = load_catalogue(arguments);
   bool unusable = false;
-  for (const PluginFile& file : catalogue->files()) unusable = unusable || !file.usable();
+  for (const PluginFile& file : catalogue->files()) {
+    unusable = unusable || file.status != PluginStatus::kUsable;
+  }
   if (arguments.json) {
     nlohmann::ordered_json json{{"stages", nlohmann::ordered_json::array()},
                                 {"files", nlohmann::ordered_json::array()}};
     for (const StageRecord& record : catalogue->stages())
       json["stages"].push_back(stage_json(record, *catalogue));
     for (const PluginFile& file : catalogue->files()) {
-      json["files"].push_back(
-          {{"file", file.path.string()}, {"usable", file.usable()}, {"sentence", file.sentence}});
+      json["files"].push_back({{"file", file.path.string()},
+                               {"status", status_name(file.status)},
+                               {"sentence", file.sentence}});
     }
     fmt::print("{}\n", json.dump(2));
     return kDone;
@@ -69,9 +78,6 @@ int stages_command(const Arguments& arguments) {
     width = std::max(width, record.info.id.size());
   for (const StageRecord& record : catalogue->stages()) {
     fmt::print("{:<{}}  {}\n", record.info.id, width, record.info.summary);
-  }
-  for (const PluginFile& file : catalogue->files()) {
-    if (!file.usable()) fmt::print(stderr, "{}: {}\n", file.path.string(), file.sentence);
   }
   return unusable && catalogue->stages().empty() ? kPluginUnusable : kDone;
 }
@@ -98,7 +104,7 @@ int inspect_command(const Arguments& arguments) {
     return kDone;
   }
   for (const StageRecord* record : chosen) {
-    const auto members = interchangeable_members(*catalogue, record->info.id);
+    const auto members = others(*catalogue, record->info.id);
     fmt::print("{}\n", arguments.markdown ? stage_markdown(*record, members)
                                           : stage_text(*record, members));
   }
