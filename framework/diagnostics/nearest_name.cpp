@@ -48,9 +48,9 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   for (const std::string& candidate : candidates) {
     if (candidate == name || candidate.size() > kLongest) continue;
     const std::size_t far = distance(wanted, folded(candidate));
-    // One edit in three letters: more is another word.
-    if (far * 3 > std::max(name.size(), candidate.size()) && far > 1) continue;
-    if (far >= std::max(name.size(), candidate.size())) continue;
+    // About one edit in three letters: more is another word.
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    if (far > std::max<std::size_t>(1, (longer + 1) / 3) || far >= longer) continue;
     best = std::min(best, std::tuple(far, distance(name, candidate), candidate));
   }
   return std::get<2>(best);

@@ -47,7 +47,10 @@ void set_stems(const std::vector<OutputDraft>& outputs, std::vector<StageDraft>&
   }
 }
 
+// Only if all wires could be followed: one that could not may be what reads the stage.
 void warn_of_unread(const std::vector<StageDraft>& drafts, Diagnostics& diagnostics) {
+  for (const Diagnostic& found : diagnostics.sorted())
+    if (found.severity == Severity::kError && !code::about_parameters(found.code)) return;
   for (const StageDraft& draft : drafts)
     if (!draft.is_export && !draft.read && draft.record && !draft.record->info.outputs.empty())
       diagnostics.warning(code::kUnread, draft.place,
@@ -96,7 +99,7 @@ std::optional<Plan> check_source_text(const SourceText& source,
 
   std::vector<StageDraft> drafts =
       draft_stages(stages ? &*stages : nullptr, catalogue, diagnostics);
-  if (stages && drafts.empty())
+  if (stages && drafts.empty() && !stages->incomplete && !stages->broken)
     diagnostics.error(code::kNoValue, stages->place, "Nothing is listed under stages:.",
                       "Write 'name: {use: family/name}'.");
   for (StageDraft& draft : drafts) find_producers(drafts, draft, diagnostics);

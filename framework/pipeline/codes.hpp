@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 /// The code of every diagnostic of a pipeline file. docs/diagnostics.md explains each.
 namespace stope::code {
 
@@ -67,6 +69,9 @@ inline constexpr const char* kWrongCount = "P075";
 inline constexpr const char* kMissingParameter = "P076";
 inline constexpr const char* kMissingPath = "P077";
 inline constexpr const char* kUnknownMember = "P078";
+
+/// Whether a code says that a parameter is wrong, and the graph is sound for all that.
+constexpr bool about_parameters(std::string_view code) { return code.substr(0, 3) == "P07"; }
 
 // Outputs.
 inline constexpr const char* kNoExport = "P080";

@@ -113,8 +113,9 @@ void report_stream(const StageDraft& reader, std::size_t input,
   diagnostics.error(code::kStreamIntoValue, reader.input_places[input],
                     fmt::format("{} takes one value as '{}', but '{}.{}' is a stream of many.",
                                 reader.subject(), to.name, producer.name, from.name),
-                    values.empty() ? "Put a stage between them that makes one value of a stream."
-                                   : fmt::format("One value gives {}.", quoted_list(values, "or")));
+                    values.empty()
+                        ? "Put a stage between them that makes one value of a stream."
+                        : fmt::format("Single values of that type: {}.", quoted_list(values)));
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ struct LocatedNode {
   std::vector<LocatedEntry> entries;  ///< of a map, in the order written, keys unique
   std::string folder;                 ///< what a relative path in this node is relative to
   std::optional<Origin> origin;
-  bool broken = false;  ///< its value could not be found out, which has been reported
+  bool broken = false;      ///< its value could not be found out, which has been reported
+  bool incomplete = false;  ///< of a map: a key of it was refused, which has been reported
 
   bool is_empty() const { return kind == Kind::kEmpty; }
   bool is_scalar() const { return kind == Kind::kScalar; }

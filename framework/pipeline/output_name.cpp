@@ -41,7 +41,10 @@ bool check_output_name(const std::string& name, const Place& place, Diagnostics&
     if (part.size() > 200) return refuse(code::kOutputName, "is too long a name", kWriteName);
   }
   if (extensions_of(name).empty())
-    return refuse(code::kNoExtension, "has no extension, so there is no telling its format",
+    return refuse(code::kNoExtension,
+                  parts_of(name).back()[0] == '.'
+                      ? "has no name before its extension"
+                      : "has no extension, so there is no telling its format",
                   kWriteName);
   return true;
 }

@@ -74,7 +74,7 @@ class OutputReader {
       diagnostics_.error(code::kNoExport, entry_.place,
                          fmt::format("{} does not write '.{}'; it writes {}.", draft_.use,
                                      extensions_.back(), dotted(info.extensions)),
-                         did_you_mean(extensions_.back(), info.extensions));
+                         near_extension(info.extensions));
     // Its wires are worth checking all the same.
     return true;
   }
@@ -172,24 +172,29 @@ class OutputReader {
                          suggestion(output));
       return false;
     }
-    std::vector<std::string> types;
+    std::string types;
     for (const StageRecord* record : writing)
       if (const PortInfo* input = exported_input(record->info))
-        types.push_back(fmt::format("{} ({})", input->type, record->info.id));
+        types.append(
+            fmt::format("{}{} ({})", types.empty() ? "" : " or ", input->type, record->info.id));
     const std::string of =
         output ? fmt::format("'{}.{}' ({})", producer.name, output->name, output->type)
                : fmt::format("any output of '{}'", producer.name);
-    diagnostics_.error(code::kExportType, wire.place,
-                       fmt::format("No export writes {} as '.{}'; that format is for {}.", of,
-                                   extension, quoted_list(types)),
-                       output ? suggestion(output) : "");
+    diagnostics_.error(
+        code::kExportType, wire.place,
+        fmt::format("No export writes {} as '.{}'; that format is for {}.", of, extension, types),
+        output ? suggestion(output) : "");
     return false;
+  }
+
+  std::string near_extension(const std::vector<std::string>& known) const {
+    const std::string nearest = nearest_name(extensions_.back(), known);
+    return nearest.empty() ? "" : fmt::format("Did you mean '.{}'?", nearest);
   }
 
   std::string suggestion(const PortInfo* output) const {
     const std::vector<std::string> known = written_extensions(catalogue_, output);
-    const std::string nearest = nearest_name(extensions_.back(), known);
-    if (!nearest.empty()) return fmt::format("Did you mean '.{}'?", nearest);
+    if (const std::string near = near_extension(known); !near.empty()) return near;
     if (known.empty())
       return output ? fmt::format("No export takes {}.", output->type) : "There are no exports.";
     return output ? fmt::format("{} can be written as {}.", output->type, dotted(known))
@@ -232,11 +237,15 @@ void check_collisions(const std::vector<OutputDraft>& outputs,
       if (files[i] != file && !files[i].starts_with(file + "/") &&
           !file.starts_with(files[i] + "/"))
         continue;
+      const bool file_first = file.size() > files[i].size();
       diagnostics.error(
           code::kOutputCollision, output.place,
-          fmt::format("The outputs '{}' and '{}' would be written over each other, as '{}' and "
-                      "'{}'.",
-                      outputs[i].name, output.name, files[i], file),
+          files[i] == file
+              ? fmt::format("The outputs '{}' and '{}' would both be the file '{}'.",
+                            outputs[i].name, output.name, file)
+              : fmt::format("The output '{}' would be a file, and the folder that '{}' is in.",
+                            file_first ? outputs[i].name : output.name,
+                            file_first ? output.name : outputs[i].name),
           "Rename one of them.");
     }
     files.push_back(file);

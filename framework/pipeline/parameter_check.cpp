@@ -88,6 +88,12 @@ class ParameterCheck {
     }
   }
 
+  // What each value of a list must be.
+  std::string element() const {
+    if (parameter_.kind == ParameterKind::kTexts) return "a text";
+    return parameter_.unit.empty() ? "a number" : "a number in " + parameter_.unit;
+  }
+
   std::optional<ParameterValue> check_nothing(const LocatedNode& node) {
     if (parameter_.optional) return ParameterValue{};
     return report(code::kNoValue, node, "has no value here; it must be " + expected(), "",
@@ -97,20 +103,23 @@ class ParameterCheck {
                                     value_text(parameter_.default_value, parameter_.unit)));
   }
 
-  std::nullopt_t wrong_kind(const LocatedNode& node, const std::string& which) {
+  std::nullopt_t wrong_kind(const LocatedNode& node, const std::string& which,
+                            const std::string& hint = "") {
     return report(code::kWrongType, node,
-                  fmt::format("must be {}, here stands {}",
-                              which.empty() ? expected() : std::string("single values"),
+                  fmt::format("must be {}, here stands {}", which.empty() ? expected() : element(),
                               node.is_scalar() ? fmt::format("'{}'", shown(node.text))
                                                : std::string(kind_name(node))),
-                  which);
+                  which, hint);
   }
 
   std::optional<bool> boolean(const LocatedNode& node) {
     if (node.text == "true") return true;
     if (node.text == "false") return false;
-    wrong_kind(node, "");
-    return std::nullopt;
+    for (const char* word : {"yes", "on", "True", "TRUE", "1"})
+      if (node.text == word) return wrong_kind(node, "", "Write true.");
+    for (const char* word : {"no", "off", "False", "FALSE", "0"})
+      if (node.text == word) return wrong_kind(node, "", "Write false.");
+    return wrong_kind(node, "");
   }
 
   std::optional<double> real(const LocatedNode& node, const std::string& which) {
@@ -120,7 +129,7 @@ class ParameterCheck {
     if (!quantity)
       return report(code::kWrongType, node,
                     fmt::format("must be {}, here stands '{}'",
-                                which.empty() ? expected() : "numbers", shown(node.text)),
+                                which.empty() ? expected() : element(), shown(node.text)),
                     which);
     const Conversion converted = convert(*quantity, parameter_.unit);
     if (!converted.value)
@@ -229,7 +238,7 @@ class ParameterCheck {
     } else {
       bound = least ? fmt::format("at least {}", *least) : fmt::format("at most {}", *most);
     }
-    report(code::kWrongCount, node, fmt::format("takes {} values, here stand {}", bound, count));
+    report(code::kWrongCount, node, fmt::format("takes {} values, not {}", bound, count));
   }
 
   const ParameterInfo& parameter_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -24,6 +25,23 @@ std::string listed(const std::vector<std::string>& names) {
     text.append(names[i]);
   }
   return text;
+}
+
+// The symbol of a unit that people write out.
+std::string usual_symbol(const std::string& written) {
+  struct Word {
+    const char *word, *symbol;
+  };
+  for (const Word& known :
+       {Word{"meter", "m"}, {"meters", "m"},    {"metre", "m"},    {"metres", "m"},
+        {"sec", "s"},       {"secs", "s"},      {"second", "s"},   {"seconds", "s"},
+        {"minute", "min"},  {"minutes", "min"}, {"mins", "min"},   {"hour", "h"},
+        {"hours", "h"},     {"hr", "h"},        {"degree", "deg"}, {"degrees", "deg"},
+        {"kmh", "km/h"},    {"kph", "km/h"},    {"kmph", "km/h"},  {"hertz", "Hz"},
+        {"sqm", "m^2"},     {"m2", "m^2"},      {"m3", "m^3"},     {"bytes", "B"},
+        {"KB", "kB"},       {"G", "GiB"},       {"M", "MiB"},      {"radians", "rad"}})
+    if (written == known.word) return known.symbol;
+  return {};
 }
 
 }  // namespace
@@ -67,7 +85,9 @@ Conversion convert(const Quantity& quantity, std::string_view wanted) {
   if (!from) {
     if (quantity.unit[0] == ',')
       return {{}, "has a comma where a decimal point is expected", "Write it with a point."};
-    const std::string nearest = wanted.empty() ? "" : nearest_name(quantity.unit, accepted);
+    std::string nearest = usual_symbol(quantity.unit);
+    if (std::find(accepted.begin(), accepted.end(), nearest) == accepted.end())
+      nearest = wanted.empty() ? "" : nearest_name(quantity.unit, accepted);
     return {{},
             fmt::format("has the unit '{}', which is not known; {}", quantity.unit, expected),
             nearest.empty() ? "" : fmt::format("Did you mean '{}'?", nearest)};

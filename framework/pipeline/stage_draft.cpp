@@ -13,6 +13,23 @@ namespace {
 
 const std::vector<std::string> kBodyKeys{"use", "in", "params"};
 
+// The key that a person who wrote another one most likely meant, or nothing.
+std::string meant_key(const std::string& key) {
+  struct Synonym {
+    const char *word, *key;
+  };
+  for (const Synonym& synonym : {Synonym{"type", "use"},
+                                 {"stage", "use"},
+                                 {"plugin", "use"},
+                                 {"input", "in"},
+                                 {"inputs", "in"},
+                                 {"from", "in"},
+                                 {"parameters", "params"},
+                                 {"args", "params"}})
+    if (key == synonym.word) return synonym.key;
+  return nearest_name(key, kBodyKeys);
+}
+
 bool is_stage_name(const std::string& name) {
   const auto letter = [](char c) {
     return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -64,7 +81,10 @@ void read_use(StageDraft& draft, const LocatedNode& body, const Catalogue& catal
               Diagnostics& diagnostics) {
   const LocatedEntry* use = body.find("use");
   if (!use) {
-    if (!draft.is_export)
+    const bool misspelt =
+        std::any_of(body.entries.begin(), body.entries.end(),
+                    [](const LocatedEntry& entry) { return meant_key(entry.key) == "use"; });
+    if (!draft.is_export && !body.incomplete && !misspelt)
       diagnostics.error(code::kMissingKey, body.place,
                         fmt::format("{} does not say which stage it uses.", draft.subject()),
                         "Add 'use: family/name'.");
@@ -90,7 +110,8 @@ void read_use(StageDraft& draft, const LocatedNode& body, const Catalogue& catal
 void check_keys(const StageDraft& draft, const LocatedNode& body, Diagnostics& diagnostics) {
   for (const LocatedEntry& entry : body.entries) {
     if (std::find(kBodyKeys.begin(), kBodyKeys.end(), entry.key) != kBodyKeys.end()) continue;
-    std::string hint = did_you_mean(entry.key, kBodyKeys);
+    const std::string meant = meant_key(entry.key);
+    std::string hint = meant.empty() ? "" : fmt::format("Did you mean '{}'?", meant);
     if (draft.record)
       for (const ParameterInfo& parameter : draft.record->info.parameters)
         if (parameter.name == entry.key)

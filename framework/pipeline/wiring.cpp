@@ -165,20 +165,18 @@ class Wiring {
   }
 
   void report_missing(const PortInfo& input) {
-    const bool short_form =
-        std::count_if(info().inputs.begin(), info().inputs.end(),
-                      [](const PortInfo& port) { return port.required; }) == 1 &&
-        reader_.wires.empty();
     const std::vector<std::string> sources = sources_of(input);
-    std::string hint =
-        sources.empty()
-            ? fmt::format("No other stage of this pipeline gives {}.", input.type)
-            : fmt::format(
-                  "Write 'in: {}'{}.",
-                  short_form ? sources[0] : fmt::format("{{{}: {}}}", input.name, sources[0]),
-                  sources.size() == 1
-                      ? ""
-                      : fmt::format("; {} can be read", quoted_list(sources, "or")));
+    std::string hint;
+    if (sources.empty()) {
+      hint = fmt::format("No other stage of this pipeline gives {}.", input.type);
+    } else if (!reader_.wires.empty()) {
+      hint = fmt::format("Add '{}: {}' to its 'in'.", input.name, sources[0]);
+    } else if (choose_input(info(), "")) {
+      hint = fmt::format("Write 'in: {}'.", sources[0]);
+    } else {
+      hint = fmt::format("Write 'in: {{{}: {}, …}}'.", input.name, sources[0]);
+    }
+    if (sources.size() > 1) hint = fmt::format("{} Of that type: {}.", hint, quoted_list(sources));
     diagnostics_.error(code::kMissingInput, reader_.place,
                        fmt::format("{} needs the input '{}' ({}), which is not wired.",
                                    reader_.subject(), input.name, input.type),
@@ -201,7 +199,7 @@ class Wiring {
 
   std::string givers(const PortInfo& input) const {
     const std::vector<std::string> names = sources_of(input);
-    return names.empty() ? "" : fmt::format("Of that type is {}.", quoted_list(names, "or"));
+    return names.empty() ? "" : fmt::format("Of that type: {}.", quoted_list(names));
   }
 
   std::string fitting(std::size_t stage) const {

@@ -248,6 +248,7 @@ class TreeBuilder final : public YAML::EventHandler {
     frame.key_place = node.place;
     frame.key_mark = mark;
     frame.drop = true;
+    if (!node.is_scalar() || node.text == "<<") frame.node.incomplete = true;
     if (!node.is_scalar()) {
       diagnostics_.error(code::kKeyNotName, node.place,
                          fmt::format("A key must be a name; here stands {}.", kind_name(node)));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/exceptions.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "framework/pipeline/codes.hpp"
@@ -15,6 +16,15 @@ std::string bracket_sentence(const ReadingState& state) {
   const ReadingState::Bracket& open = state.open_brackets.back();
   return fmt::format("The '{}' opened at {} is not closed before this place.", open.sign,
                      to_text(open.place));
+}
+
+// A tab among the blanks that begin the line of `at`, or npos.
+std::size_t indenting_tab(std::string_view text, std::size_t at) {
+  const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+  const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
+  const std::size_t end = std::min(text.find_first_not_of(" \t", begin), text.size());
+  const std::size_t tab = text.find('\t', begin);
+  return tab < end ? tab : std::string_view::npos;
 }
 
 }  // namespace
@@ -55,14 +65,15 @@ void report_syntax_error(const YAML::Exception& error, const SourceText& source,
   if (has("end of map flow"))
     return report(code::kSyntax, bracket_sentence(state),
                   "Write ',' between the entries and '}' after the last.");
-  if (has("illegal tab"))
+  if (const auto tab = indenting_tab(text, at); tab != std::string_view::npos || has("illegal tab"))
     return report(code::kSyntax, "A tab stands where YAML wants spaces.", "Indent with spaces.");
   if (has("illegal map value") || has("illegal map key"))
     return report(code::kSyntax, "A ': ' cannot stand here.",
                   state.several_lines_quote
                       ? ""
                       : "Write one 'key: value' on a line, with a space after each colon, and "
-                        "quote a text that holds ': '.");
+                        "quote a text that holds ': '. The "
+                        "cause may stand on the line above.");
   if (has("end of map not found") || has("end of sequence not found"))
     return report(code::kSyntax, "This does not continue what stands above it.",
                   state.several_lines_quote
@@ -77,8 +88,15 @@ void report_syntax_error(const YAML::Exception& error, const SourceText& source,
   if (has("unknown escape"))
     return report(code::kSyntax, "This escape after '\\' is not one that YAML knows.",
                   "Write '\\\\' for a backslash, or use single quotes.");
-  if (has("unexpected end of block") || has("illegal flow end") || has("illegal document"))
-    return report(code::kSyntax, "A closing bracket stands where nothing is open.", "Remove it.");
+  if (here == ']' || here == '}') {
+    // The parser runs ahead: the innermost bracket may be closed already if the signs agree.
+    const bool other_sign = !state.open_brackets.empty() &&
+                            state.open_brackets.back().sign != (here == ']' ? '[' : '{');
+    return report(
+        code::kSyntax,
+        other_sign ? bracket_sentence(state) : fmt::format("This '{}' closes nothing.", here),
+        other_sign ? fmt::format("Close it before the '{}'.", here) : "Remove it.");
+  }
   report(code::kSyntax, fmt::format("The YAML cannot be read here: {}.", message));
 }
 
