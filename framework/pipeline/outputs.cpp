@@ -6,6 +6,7 @@
 
 #include "framework/pipeline/codes.hpp"
 #include "framework/pipeline/export_choice.hpp"
+#include "framework/pipeline/members.hpp"
 #include "framework/pipeline/output_name.hpp"
 #include "framework/pipeline/sentence.hpp"
 #include "framework/pipeline/wire_reader.hpp"
@@ -132,8 +133,17 @@ class OutputReader {
                          fmt::format("{} has no output{}; it has {}.", producer.subject(),
                                      wire.port.empty() ? "" : fmt::format(" '{}'", wire.port),
                                      names.empty() ? "none" : quoted_list(names)),
-                         did_you_mean(wire.port, names));
+                         joined(did_you_mean(wire.port, names), members_with_port(wire)));
     return found;
+  }
+
+  std::string members_with_port(const Wire& wire) const {
+    std::vector<std::string> ids = members_that_fit(drafts_, *wire.producer, catalogue_);
+    std::erase_if(ids, [&](const std::string& id) {
+      return !choose_output(catalogue_.find(id)->info, wire.port, nullptr).port;
+    });
+    if (ids.empty()) return "";
+    return fmt::format("{} {} it.", quoted_list(ids), ids.size() == 1 ? "has" : "have");
   }
 
   bool report_several_outputs(const Wire& wire, const StageDraft& producer,

@@ -16,7 +16,7 @@
 namespace stope {
 namespace {
 
-constexpr std::size_t kMostSpent = 1'000'000;
+constexpr std::size_t kMostSpent = 100'000;
 constexpr std::size_t kLongestChain = 64;
 
 bool is_name(std::string_view text) {
@@ -44,7 +44,7 @@ bool Variables::spend(std::size_t amount, const Place& place) {
   if (spent_ <= kMostSpent) return true;
   if (!exhausted_)
     diagnostics_->error(code::kVariableExpansion, place,
-                        "The variables of this file expand to more than a million values or bytes.",
+                        "The variables of this file expand to more than 100000 values or bytes.",
                         "Remove variables that repeat other variables.");
   exhausted_ = true;
   return false;
