@@ -54,6 +54,8 @@ struct Sketch {
   std::vector<Mark> marks;
   std::vector<LegendEntry> legend;
   std::optional<Measures> measures;
+  bool points = false;      ///< single points, which want a dark ground
+  bool in_map = true;       ///< in the map frame, which has a north; else in a sensor's
   std::uint64_t index = 0;  ///< of the item it was made of
   Stamp stamp = 0;
 };

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "framework/report/draw/colour_ramp.hpp"
+#include "framework/report/draw/grid_picture.hpp"
+#include "framework/report/draw/sketches.hpp"
+#include "framework/report/quantity_text.hpp"
+
+namespace stope::report {
+namespace {
+
+constexpr std::size_t kLegendEntries = 12;
+
+Raster label_raster(const LabelGrid& grid) {
+  return {
+      grid.frame,
+      grid_picture(grid.frame, grid.cells, [](std::int32_t label) { return label_colour(label); }),
+      false};
+}
+
+std::string css_colour(const Colour& colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+}  // namespace
+
+Sketch sketch_of(const LabelGrid& grid) {
+  Sketch sketch;
+  sketch.kind = "Labels";
+  if (!is_whole(grid)) {
+    sketch.caption = "no cells";
+    return sketch;
+  }
+  std::set<std::int32_t> labels;
+  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+    if (i == 0 || grid.cells[i] != grid.cells[i - 1]) labels.insert(grid.cells[i]);
+  }
+  labels.erase(0);
+  sketch.caption = fmt::format("{}; {}", grid_size_text(grid.frame),
+                               count_text(labels.size(), "label", "labels"));
+  for (const std::int32_t label : labels) {
+    const auto place = static_cast<std::size_t>(label);
+    if (label > 0 && place < grid.names.size() && sketch.legend.size() < kLegendEntries)
+      sketch.legend.push_back({"", css_colour(label_colour(label)), grid.names[place]});
+  }
+  sketch.raster = label_raster(grid);
+  return sketch;
+}
+
+Sketch sketch_of(const RegionMap& map) {
+  Sketch sketch;
+  sketch.kind = "Regions";
+  const std::size_t pairs = map.adjacency.size() / 2;
+  sketch.caption = fmt::format("{}, {}", count_text(map.regions.size(), "region", "regions"),
+                               count_text(pairs, "neighbouring pair", "neighbouring pairs"));
+  if (is_whole(map.labels)) sketch.raster = label_raster(map.labels);
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const std::size_t from = map.adjacency[2 * i], to = map.adjacency[2 * i + 1];
+    if (from >= map.regions.size() || to >= map.regions.size()) continue;
+    const Region &a = map.regions[from], &b = map.regions[to];
+    sketch.strokes.push_back({"link", {{a.x, a.y}, {b.x, b.y}}, false, ""});
+  }
+  for (std::size_t i = 0; i < map.regions.size(); ++i) {
+    const Region& region = map.regions[i];
+    const std::string meaning = i < map.semantics.size() ? map.semantics[i] + ", " : "";
+    sketch.marks.push_back({"region",
+                            {region.x, region.y},
+                            fmt::format("{}{} m²", meaning, number_text(region.area))});
+  }
+  return sketch;
+}
+
+}  // namespace stope::report
