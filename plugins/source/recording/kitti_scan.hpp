@@ -3,16 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "stope/payloads/lidar_scan.hpp"
+#include "plugins/source/recording/read_scan.hpp"
 
 namespace stope::source {
-
-/// A scan as read, and how many of its points had a coordinate that is not finite and were left
-/// out.
-struct ReadScan {
-  LidarScan scan;
-  std::size_t dropped = 0;
-};
 
 /// Checks, without reading it, that a file can be a KITTI scan: some points of 16 bytes. Returns
 /// how many. Throws Error.

@@ -7,6 +7,8 @@
 // steps of 6 m; milliseconds for a pit of 500 m, a second or two for one of 4 km.
 #include "plugins/source/synthetic_pit/layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,11 +18,14 @@
 #include "plugins/source/synthetic_pit/curve.hpp"
 #include "plugins/source/synthetic_pit/main_roads.hpp"
 #include "plugins/source/synthetic_pit/side_roads.hpp"
+#include "stope/error.hpp"
 
 namespace stope::source {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kSmallestPlace =
+    15;  // metres, of a turning place: a truck turns on 12 m and is 4 m wide
 
 class Planner {
  public:
@@ -77,6 +82,12 @@ class Planner {
       plan.grade = parameters_.grade * random_.uniform(0.84, 0.96);
       add_ramp(ring, loop, plan);
     }
+    if (ramps_.empty())
+      throw Error(fmt::format(
+          "no ramp of {:.0f} m depth, {:.0f} m width and a grade of {:.0f} % fits into a mine of "
+          "{:.0f} m: use a larger size, fewer or lower benches, a narrower road or a steeper grade",
+          layout_.shape.depth(), parameters_.road_width, 100 * parameters_.grade,
+          parameters_.size));
     for (int attempt = 0; attempt < 60 && like_two && ramps_.size() == 1; ++attempt) {
       RampPlan plan;
       plan.angle = random_.uniform(0, 2 * kPi);
@@ -95,7 +106,9 @@ class Planner {
   DeadEnd turning_place(DeadEndKind kind) {
     DeadEnd end;
     end.kind = kind;
-    end.radius = std::max(17.0, 0.75 * parameters_.road_width + 6) + random_.uniform(0, 4);
+    const double least = std::max(kSmallestPlace, 0.5 * parameters_.road_width + 5);
+    const bool open = kind != DeadEndKind::kLoadingFace && !layout_.shape.yard();
+    end.radius = least + (layout_.shape.yard() ? 0.0 : random_.uniform(2, open ? 12 : 7));
     return end;
   }
 
@@ -121,10 +134,12 @@ class Planner {
 
   void floor_faces(std::int64_t wanted) {
     const std::int64_t before = dead_ends();
-    for (int attempt = 0; attempt < 150 && dead_ends() < before + wanted; ++attempt) {
+    for (std::int64_t attempt = 0; attempt < 100 + 40 * wanted && dead_ends() < before + wanted;
+         ++attempt) {
       SideRoadPlan plan{0, random_.below(layout_.network.streets[0].points.size())};
       plan.side = random_.uniform() < 0.75 ? -1 : 1;  // the loop runs counter-clockwise
-      const double scale = std::clamp(parameters_.size / 500, 0.6, 2.5);
+      const double scale =
+          layout_.shape.yard() ? 0.5 : std::clamp(parameters_.size / 500, 0.8, 4.0);
       plan.length = scale * random_.uniform(60, 110);
       plan.lean = random_.uniform(-1.2, 1.2);
       accept(side_road(layout_, plan, turning_place(DeadEndKind::kLoadingFace), random_));
@@ -133,14 +148,16 @@ class Planner {
 
   void connectors() {
     std::int64_t built = 0;
-    for (int attempt = 0; attempt < 200 && built < parameters_.connectors; ++attempt) {
+    for (std::int64_t attempt = 0;
+         attempt < 60 + 40 * parameters_.connectors && built < parameters_.connectors; ++attempt) {
       const bool surface = !layout_.shape.yard() && random_.uniform() < 0.7;
       const std::size_t number = surface ? 1 : 0;
       const Street& street = layout_.network.streets[number];
       const std::size_t count = street.points.size();
       SideRoadPlan from{number, random_.below(count)}, to{number, 0};
+      const double scale = std::clamp(parameters_.size / 500, 0.8, 5.0);
       const double gap =
-          surface ? random_.uniform(90, 260) : random_.uniform(0.3, 0.5) * street.length();
+          surface ? scale * random_.uniform(90, 260) : random_.uniform(0.3, 0.5) * street.length();
       to.point = (from.point + static_cast<std::size_t>(gap / kStreetStep)) % count;
       from.side = to.side = surface ? -1 : 1;
       from.lean = surface ? -random_.uniform(0.1, 0.5) : 0.0;
@@ -167,9 +184,10 @@ class Planner {
 
   void surface_ends(std::int64_t wanted) {
     if (layout_.shape.yard()) return;
-    for (int attempt = 0; attempt < 400 && dead_ends() < wanted; ++attempt) {
+    for (std::int64_t attempt = 0; attempt < 300 + 120 * wanted && dead_ends() < wanted;
+         ++attempt) {
       const bool dump = dead_ends() % 2 == 0;
-      const double scale = std::clamp(parameters_.size / 500, 0.8, 2.0);
+      const double scale = std::clamp(parameters_.size / 500, 0.8, 4.0);
       // From the ring, or from anything built on the surface since.
       std::size_t through = 1;
       if (random_.uniform() < 0.35) through = random_.below(layout_.network.streets.size());
@@ -193,7 +211,7 @@ class Planner {
       const Vector2 place = proposal.street.points.back();
       const double top = proposal.street.elevation.back();
       if (accept(std::move(proposal)) && dump)
-        layout_.shape.add({place, end.radius + random_.uniform(8, 22), top});
+        layout_.shape.add({place, end.radius + random_.uniform(8, 22), top, -4});
     }
   }
 
@@ -232,8 +250,10 @@ class Planner {
             end.radius + layout_.rules.berm_width + radius + random_.uniform(0, 14);
         const Vector2 place =
             layout_.network.centre(end) + distance * Vector2(std::cos(angle), std::sin(angle));
-        if (clear_of_roads(place, radius))
-          layout_.shape.add({place, 0, layout_.network.elevation(end) + height});
+        const double ground = layout_.shape.ground(place);
+        // On the flat around the place only: nobody tips over a bench's edge.
+        if (std::abs(ground - layout_.network.elevation(end)) < 2 && clear_of_roads(place, radius))
+          layout_.shape.add({place, 0, ground + height, ground - 4});
       }
     }
   }

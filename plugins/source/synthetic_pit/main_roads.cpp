@@ -54,38 +54,59 @@ struct Profile {
   }
 };
 
+/// Leads on over the floor, in a bow that grows with the way there is to go, to meet the loop at a
+/// right angle.
+void land_on(const Layout& layout, const Street& loop, double angle, double turn,
+             std::vector<Vector2>& controls) {
+  const double leg = layout.rules.leg();
+  const Vector2 centre = layout.shape.centre(), start = controls.back();
+  const double away = (start - centre).norm();
+  const double to_go = away - (loop.points[point_towards(layout, loop, angle)] - centre).norm();
+  angle += turn * std::max(1.3 * leg, 0.8 * to_go) / away;
+  const Vector2 last = loop.points[point_towards(layout, loop, angle)];
+  const Vector2 outwards = (last - centre).normalized();
+  const Vector2 before_last = last + leg * outwards;
+  const Vector2 ahead = (start - controls[controls.size() - 2]).normalized();
+  const double distance = (before_last - start).norm();
+  const int legs = static_cast<int>(std::lround(distance / leg));
+  for (int i = 1; i < legs; ++i) {
+    // A Hermite curve from one direction to the other.
+    const double t = static_cast<double>(i) / legs, u = 1 - t;
+    controls.push_back(u * u * (1 + 2 * t) * start + t * t * (3 - 2 * t) * before_last +
+                       distance * (u * u * t * ahead + t * t * u * outwards));
+  }
+  controls.push_back(before_last);
+  controls.push_back(last);
+}
+
 /// Walks down the pit's wall in short legs, each as far inside the rim as the depth there asks for.
 std::vector<Vector2> spiral(const Layout& layout, const Street& ring, std::size_t start,
                             const Street& loop, const Profile& profile, const RampPlan& plan,
                             double ring_distance) {
-  constexpr double kLeg = 24;
+  const double leg = layout.rules.leg();
   const PitShape& shape = layout.shape;
   const Vector2 first = ring.points[start];
   Vector2 direction = first - shape.centre();
   double angle = std::atan2(direction.y(), direction.x());
   double turn = plan.turn;
-  std::vector<Vector2> controls{first, first - kLeg * direction.normalized()};
-  double station = kLeg, shift = 0;
-  angle += turn * 0.6 * kLeg / shape.rim(angle);
+  std::vector<Vector2> controls{first, first - leg * direction.normalized()};
+  double station = leg, shift = 0;
+  angle += turn * 0.6 * leg / shape.rim(angle);
   while (station < profile.length() - 50) {
-    const double depth = profile.depth_at(station + kLeg);
+    const double depth = profile.depth_at(station + leg);
     if (plan.switchback && turn == plan.turn && depth > 0.5 * profile.depth) {
       turn = -turn;
       shift = 2.3 * std::max(layout.rules.smallest_radius, 20.0);
-      angle -= turn * 0.5 * kLeg / shape.rim(angle);
+      angle -= turn * 0.5 * leg / shape.rim(angle);
     }
     const double blend = smooth_step((station - 10) / 70);
-    const double outward =
-        (1 - blend) * (ring_distance - kLeg) - blend * (shape.inward(depth) + shift);
-    angle += turn * kLeg / (shape.rim(angle) + outward);
+    const double outward = (1 - blend) * (ring_distance - leg - 0.5 * ring.width) -
+                           blend * (shape.inward(depth) + shift);
+    angle += turn * leg / (shape.rim(angle) + outward);
     controls.push_back(shape.at(angle, outward));
     station += (controls.back() - controls[controls.size() - 2]).norm();
   }
-  angle += turn * 1.3 * kLeg / (controls.back() - shape.centre()).norm();
-  const Vector2 last = loop.points[point_towards(layout, loop, angle)];
-  const Vector2 outwards = (last - shape.centre()).normalized();
-  controls.push_back(last + kLeg * outwards);
-  controls.push_back(last);
+  land_on(layout, loop, angle, turn, controls);
   return controls;
 }
 
@@ -115,7 +136,7 @@ Street floor_loop(const PitShape& shape, const PitParameters& parameters) {
   for (int i = 1; i < 72; ++i) narrowest = std::min(narrowest, shape.rim(2 * kPi * i / 72));
   const double floor = narrowest - wall;
   const double least = 1.2 * parameters.road_width + 10;
-  const double radius = std::max(least, std::min(0.55 * floor, floor - 40));
+  const double radius = std::max(least, std::min(0.62 * floor, floor - 40));
   if (floor < least + 0.5 * parameters.road_width + 8)
     throw Error(fmt::format(
         "the pit's floor would be {:.0f} m from its centre to the wall, too small for a road "

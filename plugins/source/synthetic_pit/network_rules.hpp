@@ -17,6 +17,8 @@ struct NetworkRules {
   double grade = 0.09;             ///< steepest, rise over run
   double junction_spacing = 55.0;  ///< metres along a street
   double fillet = 9.0;             ///< metres, radius of a junction's corners
+  /// Metres between a spline's controls such that a right angle keeps the smallest radius.
+  double leg() const { return 1.45 * smallest_radius; }
 };
 
 /// A road somebody would like to build, with what it is tied to.

@@ -7,7 +7,7 @@ namespace stope::source {
 /// What a synthetic pit looks like and how it is driven and scanned. Metres, radians, seconds.
 struct PitParameters {
   // The mine.
-  double size = 500.0;          ///< side of the square map
+  double size = 600.0;          ///< side of the square map
   std::int64_t benches = 3;     ///< steps from the surface to the pit floor
   double bench_height = 10.0;   ///< of one step
   double road_width = 15.0;     ///< between the feet of the berms
@@ -21,7 +21,7 @@ struct PitParameters {
   double truck_speed = 9.0;   ///< on straight roads
   double route_length = 0.0;  ///< stop after this distance; 0: drive the whole network
   std::int64_t scans = 0;     ///< stop after this many scans; 0: as many as the route gives
-  std::int64_t stride = 12;   ///< keep one sweep of this many
+  std::int64_t stride = 15;   ///< keep one sweep of this many
   // The sensor.
   std::int64_t rings = 16;      ///< 16, 32 or 64 lasers
   std::int64_t azimuths = 900;  ///< firings a turn

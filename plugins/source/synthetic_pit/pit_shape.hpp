@@ -12,7 +12,8 @@ namespace stope::source {
 struct Heap {
   Vector2 centre = Vector2::Zero();
   double top_radius = 0;
-  double top = 0;  ///< elevation, metres
+  double top = 0;   ///< elevation, metres
+  double base = 0;  ///< an elevation that is under the ground all around
 };
 
 /// The ground before roads are cut into it: a gently rolling surface around elevation 0, a pit that
@@ -37,7 +38,7 @@ class PitShape {
   /// The ground with benches and heaps, smooth: no rubble.
   double ground(const Vector2& place) const;
 
-  void add(const Heap& heap) { heaps_.push_back(heap); }
+  void add(const Heap& heap);
 
  private:
   double wall_run() const;
@@ -52,7 +53,11 @@ class PitShape {
   double radius_;
   Vector2 centre_;
   std::vector<double> rim_;  ///< by direction, the first again at the end
-  std::vector<Heap> heaps_;
+  /// Heaps by square of the map, so that a place looks at those nearby only.
+  static constexpr double kSquare = 64;
+  std::size_t square(double x, double y) const;
+  std::int32_t squares_ = 0;  ///< along a side
+  std::vector<std::vector<Heap>> heaps_;
 };
 
 }  // namespace stope::source

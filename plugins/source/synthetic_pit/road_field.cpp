@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "plugins/source/synthetic_pit/noise.hpp"
 #include "stope/random.hpp"
@@ -22,6 +23,7 @@ constexpr std::size_t kSectionPoints = 24;
 constexpr double kCutSlope = 2.6;      // of a wall above a road
 constexpr double kRockSlope = 2.2;     // of the bank below a road in the pit
 constexpr double kTipSlope = 0.75;     // of the bank below a road on tipped rock
+constexpr double kTipLevel = 1.5;      // metres, above it all ground is tipped
 constexpr double kMouthFillet = 8;     // metres, between a road and its turning place
 constexpr double kFaceWavelength = 5;  // metres, of a freshly dug face
 
@@ -42,18 +44,40 @@ double segment_parameter(const Vector2& a, const Vector2& b, const Vector2& p) {
 
 }  // namespace
 
-RoadField::RoadField(const StreetNetwork& network, const NetworkRules& rules, double rough,
-                     std::uint64_t seed)
-    : network_(network), rules_(rules), rough_(rough), seed_(mix_seed(seed, 20)), reach_(20) {
-  double lowest = 0, highest = 0;
-  for (const Street& street : network.streets) {
-    for (const double level : street.elevation) {
-      lowest = std::min(lowest, level);
-      highest = std::max(highest, level);
+RoadField::RoadField(const Layout& layout, double rough, std::uint64_t seed)
+    : shape_(layout.shape),
+      network_(layout.network),
+      rules_(layout.rules),
+      rough_(rough),
+      seed_(mix_seed(seed, 20)) {
+  for (std::size_t i = 0; i < network_.streets.size(); ++i) add_sections(i);
+}
+
+double RoadField::bank_reach(const Section& section) const {
+  // The ground may rise or fall away from the road at half a bank's slope; twice the bank covers
+  // it.
+  const Street& street = network_.streets[section.street];
+  double difference = 0, level = 0;
+  const auto look = [&](const Vector2& place) {
+    difference = std::max(difference, std::abs(shape_.ground(place) - level));
+  };
+  for (std::size_t i = section.first; i <= section.last; i += 2) {
+    const std::size_t point = i % street.points.size();
+    level = street.elevation[point];
+    const Vector2 ahead = street.direction(point), left(-ahead.y(), ahead.x());
+    const double edge = street.half_width() + rules_.berm_width;
+    look(street.points[point] + edge * left);
+    look(street.points[point] - edge * left);
+  }
+  if (section.dead_end) {
+    const double edge = section.dead_end->radius + rules_.berm_width;
+    for (int i = 0; i < 12; ++i) {
+      const double angle = i * std::numbers::pi / 6;
+      look(network_.centre(*section.dead_end) + edge * Vector2(std::cos(angle), std::sin(angle)));
     }
   }
-  reach_ += std::max((highest - lowest) / kRockSlope, highest / kTipSlope) + rules.berm_width;
-  for (std::size_t i = 0; i < network.streets.size(); ++i) add_sections(i);
+  const double slope = level > kTipLevel ? kTipSlope : 0.5 * kRockSlope;
+  return rules_.berm_width + 12 + 1.3 * difference / slope;
 }
 
 void RoadField::add_sections(std::size_t number) {
@@ -83,6 +107,7 @@ void RoadField::add_sections(std::size_t number) {
       section.radius = std::max(
           section.radius, (network_.centre(end) - section.centre).norm() + end.radius + rough_);
     }
+    section.reach = bank_reach(section);
     sections_.push_back(section);
   }
 }
@@ -91,7 +116,7 @@ RoadField::Tile RoadField::tile(const Vector2& centre, double radius) const {
   Tile tile;
   for (std::size_t k = 0; k < sections_.size(); ++k) {
     const Section& section = sections_[k];
-    if ((section.centre - centre).norm() > section.radius + radius + reach_) continue;
+    if ((section.centre - centre).norm() > section.radius + radius + section.reach) continue;
     const Street& street = network_.streets[section.street];
     const std::size_t n = street.points.size();
     std::array<double, kSectionPoints> distance{};
@@ -170,12 +195,12 @@ RoadField::Near RoadField::nearest(const Section& section,
 
 RoadSample RoadField::sample(const Tile& tile, const Vector2& place) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  RoadSample sample{reach_, 0, -kFar, kFar};
+  RoadSample sample{kFar, 0, -kFar, kFar};
   if (tile.candidates.empty()) return sample;
 
   const auto bank = [&](double outside, double level) {
     const double run = std::max(0.0, outside - rules_.berm_width);
-    const double down = level > 1.5 ? kTipSlope : kRockSlope;
+    const double down = level > kTipLevel ? kTipSlope : kRockSlope;
     sample.upper = std::min(sample.upper, level + kCutSlope * run);
     sample.lower = std::max(sample.lower, level - down * run);
   };
@@ -183,8 +208,9 @@ RoadSample RoadField::sample(const Tile& tile, const Vector2& place) const {
   thread_local std::vector<Near> streets;
   streets.clear();
   for (const auto& candidate : tile.candidates) {
-    const Near near = nearest(sections_[candidate.section], candidate.segments, place);
-    if (near.outside < reach_) bank(near.outside, near.level);
+    const Section& section = sections_[candidate.section];
+    const Near near = nearest(section, candidate.segments, place);
+    if (near.outside < section.reach) bank(near.outside, near.level);
     if (streets.empty() || streets.back().street != near.street) {
       streets.push_back(near);
     } else if (near.outside < streets.back().outside) {

@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plugins/source/synthetic_pit/network_rules.hpp"
-#include "plugins/source/synthetic_pit/street_network.hpp"
+#include "plugins/source/synthetic_pit/layout.hpp"
 
 namespace stope::source {
 
@@ -22,8 +21,8 @@ struct RoadSample {
 /// and turning places, both edges are exactly half a width from the centre line.
 class RoadField {
  public:
-  RoadField(const StreetNetwork& network, const NetworkRules& rules, double rough,
-            std::uint64_t seed);
+  /// Keeps a reference to `layout`. `rough` is the amplitude of freshly dug faces, metres.
+  RoadField(const Layout& layout, double rough, std::uint64_t seed);
 
   /// The parts of the network that matter inside a circle.
   class Tile {
@@ -39,8 +38,6 @@ class RoadField {
   Tile tile(const Vector2& centre, double radius) const;
   /// What the roads ask of a place inside the tile.
   RoadSample sample(const Tile& tile, const Vector2& place) const;
-  /// Beyond this distance from any road there is no demand: `outside` is at least it.
-  double reach() const { return reach_; }
 
  private:
   /// A short run of a street, the unit of search.
@@ -49,6 +46,7 @@ class RoadField {
     std::size_t first = 0, last = 0;  ///< points; the last may be the street's count, which wraps
     Vector2 centre = Vector2::Zero();
     double radius = 0;
+    double reach = 0;                   ///< metres beyond the road's edge that its banks may go on
     const DeadEnd* dead_end = nullptr;  ///< a turning place at one of its ends
     bool starts_attached = false, ends_attached = false;
   };
@@ -60,12 +58,13 @@ class RoadField {
                const Vector2& place) const;
   double turning_place(const DeadEnd& end, const Vector2& place) const;
   void add_sections(std::size_t street);
+  double bank_reach(const Section& section) const;
 
+  const PitShape& shape_;
   const StreetNetwork& network_;
-  NetworkRules rules_;
+  const NetworkRules& rules_;
   double rough_;
   std::uint64_t seed_;
-  double reach_;
   std::vector<Section> sections_;
 };
 

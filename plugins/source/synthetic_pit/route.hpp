@@ -25,6 +25,6 @@ std::vector<Vector2> route_line(const StreetNetwork& network, const NetworkGraph
                                 const std::vector<Leg>& legs, const NetworkRules& rules);
 
 inline constexpr double kRouteStep = 0.5;       ///< metres
-inline constexpr double kTurningRadius = 12.0;  ///< metres, of a 9 m haul truck
+inline constexpr double kTurningRadius = 12.5;  ///< metres; a 9 m haul truck needs 12
 
 }  // namespace stope::source

@@ -9,8 +9,6 @@
 namespace stope::source {
 namespace {
 
-constexpr double kLeg = 22;
-
 Attachment tie(const Layout& layout, const SideRoadPlan& plan) {
   Attachment attachment;
   attachment.through = plan.through;
@@ -35,13 +33,14 @@ Proposal side_road(const Layout& layout, const SideRoadPlan& plan, const DeadEnd
   Proposal proposal;
   proposal.start = tie(layout, plan);
   const Vector2 first = proposal.start->place, away = leaving(layout, plan);
-  const int legs = std::max(3, static_cast<int>(std::lround(plan.length / kLeg)));
-  std::vector<Vector2> controls{first, first + kLeg * away};
+  const int legs = std::max(2, static_cast<int>(std::lround(plan.length / layout.rules.leg())));
+  const double leg = plan.length / legs;
+  std::vector<Vector2> controls{first, first + leg * away};
   double heading = std::atan2(away.y(), away.x());
   for (int i = 1; i < legs; ++i) {
     // The last leg goes straight on into the turning place.
     if (i + 1 < legs) heading += plan.lean / (legs - 2) + plan.wobble * random.uniform(-1, 1);
-    controls.push_back(controls.back() + kLeg * Vector2(std::cos(heading), std::sin(heading)));
+    controls.push_back(controls.back() + leg * Vector2(std::cos(heading), std::sin(heading)));
   }
   const double width = layout.network.streets[plan.through].width;
   proposal.street = make_street(smooth_curve(controls, false, kStreetStep), width, false);
@@ -58,8 +57,8 @@ Proposal connecting_road(const Layout& layout, const SideRoadPlan& from, const S
   proposal.start = tie(layout, from);
   proposal.end = tie(layout, to);
   const Vector2 first = proposal.start->place, last = proposal.end->place;
-  const Vector2 second = first + kLeg * leaving(layout, from);
-  const Vector2 second_last = last + kLeg * leaving(layout, to);
+  const Vector2 second = first + layout.rules.leg() * leaving(layout, from);
+  const Vector2 second_last = last + layout.rules.leg() * leaving(layout, to);
   const double distance = (second_last - second).norm();
   const int legs = std::max(2, static_cast<int>(std::lround(distance / 30)));
   const Vector2 across =

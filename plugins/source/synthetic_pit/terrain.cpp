@@ -34,7 +34,11 @@ struct Surface {
 
   double rubble(double outside, const Vector2& place) const {
     const double share = std::clamp((outside - layout.rules.berm_width) / 2, 0.0, 1.0);
-    return share * kRubble * fractal_noise(mix_seed(seed, 32), place.x() / 3, place.y() / 3);
+    // Lies in patches, nowhere quite absent.
+    const double patch =
+        0.6 + 0.5 * value_noise(mix_seed(seed, 33), place.x() / 35, place.y() / 35);
+    return share * patch * kRubble *
+           fractal_noise(mix_seed(seed, 32), place.x() / 3, place.y() / 3);
   }
 
   double height(const RoadSample& road, const Vector2& place) const {
@@ -105,7 +109,7 @@ Terrain build_terrain(const Layout& layout, const PitParameters& parameters,
   terrain.label.assign(frame.size(), 0);
   terrain.drivable.assign(frame.size(), 0);
 
-  const RoadField field(layout.network, layout.rules, parameters.rough, seed);
+  const RoadField field(layout, parameters.rough, seed);
   const std::int32_t tiles = (frame.width + kTile - 1) / kTile;
   const auto build_tile = [&](std::int32_t tile_column, std::int32_t tile_row) {
     const Vector2 middle = frame.to_map((tile_column + 0.5) * kTile, (tile_row + 0.5) * kTile);
