@@ -36,7 +36,7 @@ void print(const char* what, const RoadAccuracy& a) {
 }  // namespace
 
 int main() {
-  const std::vector<double> sizes{300, 500, 1000};
+  const std::vector<double> sizes{500, 800, 1500};
   for (const Extractor extractor : {Extractor::kVoronoi, Extractor::kWatershed}) {
     const char* name = extractor == Extractor::kVoronoi ? "voronoi" : "watershed";
     RoadAccuracy sum;
