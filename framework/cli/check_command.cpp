@@ -5,7 +5,7 @@
 #include "framework/cli/arguments.hpp"
 #include "framework/cli/exit_code.hpp"
 #include "framework/cli/load_pipeline.hpp"
-#include "framework/cli/stage_text.hpp"
+#include "framework/pipeline/plan_json.hpp"
 
 namespace stope {
 
@@ -13,24 +13,14 @@ int check_command(const Arguments& arguments) {
   const LoadedPipeline loaded = load_pipeline(arguments);
   if (!loaded.plan) return loaded.exit_code;
   const Plan& plan = *loaded.plan;
-  if (!arguments.json) {
+  if (arguments.json) {
+    nlohmann::json json = plan_json(plan);
+    json["ok"] = true;
+    fmt::print("{}\n", json.dump(2));
+  } else {
     fmt::print("{} is right: {} stages, {} outputs.\n", arguments.pipeline.string(),
                plan.stages.size() - plan.outputs.size(), plan.outputs.size());
-    return kDone;
   }
-  nlohmann::ordered_json json{{"ok", true}, {"name", plan.name}};
-  for (const PlannedStage& stage : plan.stages) {
-    nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < stage.parameters.size(); ++i) {
-      parameters[stage.info.parameters[i].name] = value_text(stage.parameters[i]);
-    }
-    json["stages"].push_back({{"name", stage.name},
-                              {"use", stage.info.id},
-                              {"export", stage.is_export},
-                              {"parameters", parameters}});
-  }
-  for (const PlannedOutput& output : plan.outputs) json["outputs"].push_back(output.name);
-  fmt::print("{}\n", json.dump(2));
   return kDone;
 }
 

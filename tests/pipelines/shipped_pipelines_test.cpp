@@ -52,7 +52,7 @@ std::vector<Swap> swaps(const Shipped& pipeline) {
   std::vector<Swap> list;
   const nlohmann::json checked = check(pipeline);
   for (const auto& stage : checked.at("stages")) {
-    if (stage.at("export").get<bool>()) continue;
+    if (stage.at("name").get<std::string>().starts_with("outputs/")) continue;
     const auto inspected = stope({"inspect", stage.at("use").get<std::string>(), "--json"});
     for (const auto& member : nlohmann::json::parse(inspected.out).at("interchangeable")) {
       list.push_back({stage.at("name"), member});
