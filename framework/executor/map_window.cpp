@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "framework/executor/task_handoff.hpp"
-
 namespace stope {
 
 namespace {
@@ -15,8 +13,6 @@ constexpr int kItemsOfARunner = 32;  ///< then it queues up again
 MapWindow::MapWindow(WorkerPool& pool, std::shared_ptr<Doorbell> doorbell, std::size_t places,
                      Apply apply)
     : pool_(pool), doorbell_(std::move(doorbell)), apply_(std::move(apply)), places_(places) {}
-
-MapWindow::~MapWindow() { take_over(static_cast<PoolTask*>(this)); }
 
 std::vector<MapItem*> MapWindow::all() {
   std::vector<MapItem*> items;

@@ -30,13 +30,12 @@ struct MapItem {
 /// work, so that a small item costs an atomic increment rather than a task; after a while it queues
 /// up again behind the other tasks of the pool. When the oldest place is done, the process's
 /// doorbell rings. Runners may outlive the process, so they share the window and never look at
-/// anything else once their item is done.
+/// anything else of it once their item is done.
 class MapWindow : public std::enable_shared_from_this<MapWindow>, public PoolTask {
  public:
   using Apply = std::function<void(MapItem&)>;  ///< must not throw
 
   MapWindow(WorkerPool& pool, std::shared_ptr<Doorbell> doorbell, std::size_t places, Apply apply);
-  ~MapWindow() override;
 
   /// Of the process:
   bool empty() const { return oldest_.load() == submitted_.load(); }

@@ -8,9 +8,15 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
+#ifdef SANITIZER_TSAN_INTERFACE_H
+/// What oneTBB does among its own threads is not ours to judge. ThreadSanitizer asks for this name.
+extern "C" const char* __tsan_default_suppressions();
+extern "C" const char* __tsan_default_suppressions() { return "race:libtbb.so"; }
+#endif
+
 namespace stope {
 
-#ifdef TSAN_INTERFACE_H
+#ifdef SANITIZER_TSAN_INTERFACE_H
 void hand_over(const void* object) { __tsan_release(const_cast<void*>(object)); }
 void take_over(const void* object) { __tsan_acquire(const_cast<void*>(object)); }
 #else

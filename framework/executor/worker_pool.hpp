@@ -1,12 +1,16 @@
 #pragma once
 
+#include <condition_variable>
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
+
+#include "framework/executor/tbb_arena.hpp"
 
 namespace stope {
 
-/// Something for a oneTBB worker to do. A class derived from it that is destroyed by another thread
-/// begins its destructor with take_over(this).
+/// Something for a oneTBB worker to do.
 class PoolTask {
  public:
   virtual ~PoolTask() = default;
@@ -32,9 +36,15 @@ class WorkerPool {
   static void run_isolated(const std::function<void()>& work);
 
  private:
-  struct Arena;
+  struct Ticket;
+  static void run_ticket(void* ticket);
+  void finished();
+
   int threads_;
-  std::unique_ptr<Arena> arena_;
+  std::mutex mutex_;
+  std::condition_variable idle_;
+  std::size_t tasks_ = 0;
+  TbbArena arena_;
 };
 
 }  // namespace stope
