@@ -91,7 +91,9 @@ PluginSearch plugin_search(const std::vector<fs::path>& command_line, const fs::
   if (const auto data = xdg_folder(environment, "XDG_DATA_HOME", ".local/share")) {
     places.add(*data / "stope" / "plugins");
   }
-  places.add(executable.parent_path() / ".." / "lib" / "stope" / "plugins");
+  if (executable.is_absolute()) {
+    places.add(executable.parent_path() / ".." / "lib" / "stope" / "plugins");
+  }
   return places.take();
 }
 

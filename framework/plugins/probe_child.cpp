@@ -57,6 +57,8 @@ Manifest describe_in_child(const std::filesystem::path& file, int descriptor) {
 }  // namespace
 
 void run_probe_child(const std::filesystem::path& file, int descriptor) noexcept {
+  // A parent without standard files has pipes in their places, which detaching would overwrite.
+  descriptor = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   detach_from_parent();
   try {
     ByteBuffer buffer;
