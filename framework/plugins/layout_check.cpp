@@ -51,14 +51,4 @@ void check_layouts(const Manifest& manifest, const std::map<std::string, std::ui
   }
 }
 
-std::optional<std::string> layout_mismatch(const StageRecord& producer, const PortInfo& output,
-                                           const StageRecord& consumer, const PortInfo& input) {
-  if (output.type != input.type || output.layout == input.layout) return std::nullopt;
-  return fmt::format(
-      "{} and {} lay {} out differently, though they name it alike: rebuild the plugins {} and {} "
-      "against the same header, and raise the version in kType when the fields change.",
-      producer.info.id, consumer.info.id, output.type, producer.file.string(),
-      consumer.file.string());
-}
-
 }  // namespace stope

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/plugins/plugin_file.hpp"
+#include "stope/layout.hpp"
 #include "stope/payloads/measures.hpp"
 
 namespace stope {
@@ -30,23 +31,6 @@ TEST(LayoutCheck, JudgesTypesOfTheSdkAlone) {
                PluginRefused);
   EXPECT_THROW(check_layouts(manifest_with({"in", "stope/Nothing@1", 1, true, true, ""}), layouts),
                PluginRefused);
-}
-
-TEST(LayoutCheck, NamesBothPluginsThatDisagree) {
-  StageRecord producer, consumer;
-  producer.info.id = "acme/cut";
-  producer.file = "/p/acme.so";
-  consumer.info.id = "emca/paste";
-  consumer.file = "/p/emca.so";
-  const PortInfo output{"out", "acme/Sector@1", 1, true, true, ""};
-  PortInfo input{"in", "acme/Sector@1", 1, true, true, ""};
-  EXPECT_FALSE(layout_mismatch(producer, output, consumer, input));
-  input.layout = 2;
-  const auto sentence = layout_mismatch(producer, output, consumer, input);
-  ASSERT_TRUE(sentence);
-  for (const char* part : {"acme/cut", "emca/paste", "acme/Sector@1", "/p/acme.so", "/p/emca.so"}) {
-    EXPECT_NE(sentence->find(part), std::string::npos) << *sentence;
-  }
 }
 
 }  // namespace
