@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "framework/pipeline/wiring.hpp"
+#include "framework/pipeline/port_choice.hpp"
 #include "stope/payloads/artefact.hpp"
 
 namespace stope {

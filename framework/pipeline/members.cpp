@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "framework/pipeline/wiring.hpp"
+#include "framework/pipeline/port_choice.hpp"
 
 namespace stope {
 namespace {

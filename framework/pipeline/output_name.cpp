@@ -34,17 +34,22 @@ bool check_output_name(const std::string& name, const Place& place, Diagnostics&
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\' || c == ':')
       return refuse(code::kOutputName, "holds a character that file names should not have",
                     kWriteName);
-  for (const std::string& part : parts_of(name)) {
+  const std::vector<std::string> parts = parts_of(name);
+  for (const std::string& part : parts) {
     if (part == "..") return refuse(code::kOutputName, "would leave the output folder", kWriteName);
     if (part.empty() || part == ".")
       return refuse(code::kOutputName, "has an empty part between slashes", kWriteName);
+    if (part[0] == '.' && &part != &parts.back())
+      return refuse(code::kOutputName, "has a part that begins with a dot", kWriteName);
     if (part.size() > 200) return refuse(code::kOutputName, "is too long a name", kWriteName);
   }
+  const bool hidden = parts.back()[0] == '.';
+  if (hidden && !extensions_of(name).empty())
+    return refuse(code::kOutputName, "begins with a dot", kWriteName);
   if (extensions_of(name).empty())
     return refuse(code::kNoExtension,
-                  parts_of(name).back()[0] == '.'
-                      ? "has no name before its extension"
-                      : "has no extension, so there is no telling its format",
+                  hidden ? "has no name before its extension"
+                         : "has no extension, so there is no telling its format",
                   kWriteName);
   return true;
 }

@@ -8,6 +8,7 @@
 #include "framework/pipeline/export_choice.hpp"
 #include "framework/pipeline/members.hpp"
 #include "framework/pipeline/output_name.hpp"
+#include "framework/pipeline/port_choice.hpp"
 #include "framework/pipeline/sentence.hpp"
 #include "framework/pipeline/wire_reader.hpp"
 #include "framework/pipeline/wiring.hpp"
@@ -230,36 +231,6 @@ std::vector<OutputDraft> draft_outputs(const LocatedNode* outputs, std::vector<S
     if (auto output = OutputReader(entry, drafts, catalogue, diagnostics).read())
       result.push_back(std::move(*output));
   return result;
-}
-
-void check_collisions(const std::vector<OutputDraft>& outputs,
-                      const std::vector<StageDraft>& drafts, Diagnostics& diagnostics) {
-  std::vector<std::string> files;
-  for (const OutputDraft& output : outputs) {
-    const StageDraft& draft = drafts[output.draft];
-    std::string file = output.name;
-    if (!draft.streams.empty() && draft.streams[0]) {
-      const auto folder = file.substr(0, file.rfind('/') + 1);
-      const auto extension = file.substr(folder.size() + output.stem.size());
-      file = folder + output.stem + "/000000" + extension;
-    }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      if (files[i] != file && !files[i].starts_with(file + "/") &&
-          !file.starts_with(files[i] + "/"))
-        continue;
-      const bool file_first = file.size() > files[i].size();
-      diagnostics.error(
-          code::kOutputCollision, output.place,
-          files[i] == file
-              ? fmt::format("The outputs '{}' and '{}' would both be the file '{}'.",
-                            outputs[i].name, output.name, file)
-              : fmt::format("The output '{}' would be a file, and the folder that '{}' is in.",
-                            file_first ? outputs[i].name : output.name,
-                            file_first ? output.name : outputs[i].name),
-          "Rename one of them.");
-    }
-    files.push_back(file);
-  }
 }
 
 }  // namespace stope

@@ -6,16 +6,13 @@
 #include <utility>
 
 #include "framework/pipeline/codes.hpp"
+#include "framework/pipeline/parameter_text.hpp"
 #include "framework/pipeline/path_check.hpp"
 #include "framework/pipeline/quantity.hpp"
 #include "framework/pipeline/sentence.hpp"
 
 namespace stope {
 namespace {
-
-std::string with_unit(double number, const std::string& unit) {
-  return unit.empty() ? number_text(number) : number_text(number) + " " + unit;
-}
 
 class ParameterCheck {
  public:
@@ -157,26 +154,12 @@ class ParameterCheck {
   }
 
   bool in_range(double value, const LocatedNode& node, const std::string& which) {
-    const Limits& limits = parameter_.limits;
-    const auto refuse = [&](const std::string& bound) {
-      report(code::kOutOfRange, node,
-             fmt::format("must be {}, here stands '{}'", bound, shown(node.text)), which);
-      return false;
-    };
-    const bool low = limits.least &&
-                     (value < *limits.least || (limits.least_excluded && value == *limits.least));
-    const bool high =
-        limits.most && (value > *limits.most || (limits.most_excluded && value == *limits.most));
-    if (!low && !high) return true;
-    const std::string least =
-        limits.least ? fmt::format("{} {}", limits.least_excluded ? "more than" : "at least",
-                                   with_unit(*limits.least, parameter_.unit))
-                     : "";
-    const std::string most =
-        limits.most ? fmt::format("{} {}", limits.most_excluded ? "less than" : "at most",
-                                  with_unit(*limits.most, parameter_.unit))
-                    : "";
-    return refuse(least.empty() || most.empty() ? least + most : least + " and " + most);
+    if (within(value, parameter_.limits)) return true;
+    report(code::kOutOfRange, node,
+           fmt::format("must be {}, here stands '{}'",
+                       range_text(parameter_.limits, parameter_.unit), shown(node.text)),
+           which);
+    return false;
   }
 
   std::optional<std::string> text(const LocatedNode& node, const std::string& which) {
@@ -225,20 +208,13 @@ class ParameterCheck {
   }
 
   void check_count(const LocatedNode& node) {
-    const auto& least = parameter_.limits.count_least;
-    const auto& most = parameter_.limits.count_most;
     const auto count = static_cast<std::int64_t>(node.items.size());
-    if ((!least || count >= *least) && (!most || count <= *most)) return;
-    wrong_count_ = true;
-    std::string bound;
-    if (least && most && *least == *most) {
-      bound = fmt::format("exactly {}", *least);
-    } else if (least && most) {
-      bound = fmt::format("{} to {}", *least, *most);
-    } else {
-      bound = least ? fmt::format("at least {}", *least) : fmt::format("at most {}", *most);
-    }
-    report(code::kWrongCount, node, fmt::format("takes {} values, not {}", bound, count));
+    const Limits& limits = parameter_.limits;
+    wrong_count_ = (limits.count_least && count < *limits.count_least) ||
+                   (limits.count_most && count > *limits.count_most);
+    if (wrong_count_)
+      report(code::kWrongCount, node,
+             fmt::format("takes {} values, not {}", count_text(limits), count));
   }
 
   const ParameterInfo& parameter_;
@@ -253,30 +229,6 @@ std::optional<ParameterValue> check_parameter(const ParameterInfo& parameter,
                                               const LocatedNode& node, const std::string& owner,
                                               Diagnostics& diagnostics) {
   return ParameterCheck(parameter, owner, diagnostics).check(node);
-}
-
-std::string value_text(const ParameterValue& value, const std::string& unit) {
-  struct Text {
-    const std::string& unit;
-    std::string operator()(std::monostate) const { return "nothing"; }
-    std::string operator()(bool b) const { return b ? "true" : "false"; }
-    std::string operator()(std::int64_t i) const {
-      return unit.empty() ? fmt::format("{}", i) : fmt::format("{} {}", i, unit);
-    }
-    std::string operator()(double d) const { return with_unit(d, unit); }
-    std::string operator()(const std::string& s) const { return "'" + s + "'"; }
-    std::string operator()(const std::vector<double>& list) const {
-      std::string text;
-      for (const double d : list) text.append(text.empty() ? "" : ", ").append(with_unit(d, unit));
-      return std::string("[").append(text).append("]");
-    }
-    std::string operator()(const std::vector<std::string>& list) const {
-      std::string text;
-      for (const std::string& s : list) text.append(text.empty() ? "" : ", ").append(s);
-      return std::string("[").append(text).append("]");
-    }
-  };
-  return std::visit(Text{unit}, value);
 }
 
 }  // namespace stope

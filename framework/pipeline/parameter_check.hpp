@@ -15,8 +15,4 @@ std::optional<ParameterValue> check_parameter(const ParameterInfo& parameter,
                                               const LocatedNode& node, const std::string& owner,
                                               Diagnostics& diagnostics);
 
-/// A value of a parameter as people write it: `3 m`, `[0, 1]`, `trinary`; "nothing" for a
-/// monostate.
-std::string value_text(const ParameterValue& value, const std::string& unit);
-
 }  // namespace stope

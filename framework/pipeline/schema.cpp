@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/pipeline/export_choice.hpp"
-#include "framework/pipeline/parameter_check.hpp"
+#include "framework/pipeline/parameter_text.hpp"
 #include "framework/pipeline/plan_json.hpp"
 
 namespace stope {

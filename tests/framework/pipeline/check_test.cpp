@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "checked.hpp"
 
 namespace stope {
@@ -118,6 +116,22 @@ TEST(Check, SetChangesParametersVariablesAndStages) {
   EXPECT_EQ(std::get<std::vector<double>>(checked.parameter("plan", "start")),
             (std::vector<double>{1, 2}));
   EXPECT_EQ(checked.source("grid", "prior"), "live.grid");
+}
+
+TEST(Check, AnOutputMayGiveItsExportParameters) {
+  const Checked checked = check_text(R"(
+stope: 1
+stages:
+  pit:  {use: source/synthetic_pit}
+  grid: {use: prior/trajectory_dilation, in: pit}
+outputs:
+  raw.yaml: {in: grid, params: {mode: raw}}
+  named.yaml: {use: export/map_server, in: grid, params: {stem: mine}}
+)");
+  ASSERT_TRUE(checked.plan) << checked.text;
+  EXPECT_EQ(std::get<std::string>(checked.parameter("outputs/raw.yaml", "mode")), "raw");
+  EXPECT_EQ(std::get<std::string>(checked.parameter("outputs/raw.yaml", "stem")), "raw");
+  EXPECT_EQ(std::get<std::string>(checked.parameter("outputs/named.yaml", "stem")), "mine");
 }
 
 TEST(Check, SetSaysWhichOptionIsWrong) {

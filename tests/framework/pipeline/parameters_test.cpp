@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "checked.hpp"
-#include "framework/pipeline/parameter_check.hpp"
+#include "framework/pipeline/parameter_text.hpp"
 
 namespace stope {
 namespace {
