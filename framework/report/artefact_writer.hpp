@@ -30,6 +30,10 @@ class ArtefactWriter {
   void commit();
 
   const PlannedOutput& output() const { return output_; }
+  /// What it will be called, relative to the run directory: a file, or of a stream a folder.
+  std::string relative() const {
+    return "outputs/" + (output_.stream ? folder_name_ : output_.name);
+  }
   /// What was written, companions after the file they belong to.
   const std::vector<WrittenFile>& files() const { return files_; }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,12 +48,13 @@ struct ReportData {
     }
     return nullptr;
   }
-  /// What an export wrote was made of: its first wired input.
-  std::optional<PlannedSource> source_of(const PlannedOutput& output) const {
+  /// What an output is made of: the ports its export reads.
+  std::vector<PlannedSource> sources_of(const PlannedOutput& output) const {
+    std::vector<PlannedSource> sources;
     for (const auto& input : plan.stages[output.stage].inputs) {
-      if (input) return input;
+      if (input) sources.push_back(*input);
     }
-    return std::nullopt;
+    return sources;
   }
 };
 

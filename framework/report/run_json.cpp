@@ -87,12 +87,22 @@ Json run_part(const ReportData& data) {
   return json;
 }
 
+Json made_of_json(const ReportData& data, const PlannedOutput& output) {
+  Json list = Json::array();
+  for (const PlannedSource& source : data.sources_of(output)) {
+    Json json{{"port", port_name(data.plan, source)},
+              {"type", data.plan.stages[source.stage].info.outputs[source.port].type}};
+    const TapResult* tap = data.tap_at(source);
+    if (tap && !tap->digest.empty()) json["digest"] = tap->digest;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json outputs_json(const ReportData& data) {
   Json list = Json::array();
   for (const PlannedOutput& output : data.plan.outputs) {
-    Json source;
-    const auto from = data.source_of(output);
-    const TapResult* tap = from ? data.tap_at(*from) : nullptr;
+    const Json made_of = made_of_json(data, output);
     for (const WrittenFile& file : data.outputs) {
       if (file.output != output.name) continue;
       Json json{{"name", file.output},
@@ -100,11 +110,7 @@ Json outputs_json(const ReportData& data) {
                 {"bytes", file.bytes},
                 {"sha256", file.sha256}};
       if (file.companion) json["companion"] = true;
-      if (from) {
-        json["from"] = port_name(data.plan, *from);
-        json["type"] = data.plan.stages[from->stage].info.outputs[from->port].type;
-      }
-      if (tap && !tap->digest.empty()) json["digest"] = tap->digest;
+      json["made_of"] = made_of;
       list.push_back(std::move(json));
     }
   }

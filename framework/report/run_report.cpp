@@ -59,8 +59,8 @@ struct RunReport::Parts {
     for (const auto& writer : writers) {
       if (record.end == RunRecord::End::kDone) {
         data.outputs.insert(data.outputs.end(), writer->files().begin(), writer->files().end());
-      } else if (std::filesystem::exists(directory.outputs() / writer->output().name)) {
-        data.outputs_kept.push_back("outputs/" + writer->output().name);
+      } else if (std::filesystem::exists(directory.folder() / writer->relative())) {
+        data.outputs_kept.push_back(writer->relative());
       }
     }
     return data;
@@ -85,7 +85,7 @@ RunReport::~RunReport() = default;
 std::vector<Sink> RunReport::sinks() {
   std::vector<Sink> sinks;
   for (const auto& writer : parts_->writers)
-    sinks.push_back({"outputs/" + writer->output().name,
+    sinks.push_back({fmt::format("write {}", writer->output().name),
                      {writer->output().stage, 0},
                      [&writer = *writer](const AnyItem& item) { writer.write(item); },
                      [&writer = *writer] { writer.close(); }});

@@ -14,12 +14,10 @@ using Port = std::pair<std::size_t, std::size_t>;
 // Ports that some stage reads, and those an export reads.
 void find_readers(const Plan& plan, std::set<Port>& read, std::set<Port>& exported) {
   for (const PlannedStage& stage : plan.stages) {
-    bool first = true;
     for (const auto& input : stage.inputs) {
       if (!input) continue;
       read.emplace(input->stage, input->port);
-      if (stage.is_export && first) exported.emplace(input->stage, input->port);
-      first = false;
+      if (stage.is_export) exported.emplace(input->stage, input->port);
     }
   }
 }

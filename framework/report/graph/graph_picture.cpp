@@ -149,7 +149,7 @@ class GraphDrawing {
     for (std::size_t i = 0; i < node.inputs.size(); ++i) text += port(node.inputs[i], i, 0, "");
     for (std::size_t i = 0; i < node.outputs.size(); ++i)
       text += port(node.outputs[i], i, width, " text-anchor=\"end\"");
-    if (has_foot(node)) text += foot(*process_of(node), width, height);
+    if (has_foot(node)) text += foot(*process_of(node), is_streaming(n), width, height);
     return text + "</g>\n";
   }
 
@@ -161,7 +161,15 @@ class GraphDrawing {
         x, y, x + (*anchor != '\0' ? -8 : 8), y + 3.5, anchor, escaped(name));
   }
 
-  static std::string foot(const ProcessRecord& process, double width, double height) {
+  // Whether a box reads or writes a stream: then the number of its items tells something.
+  bool is_streaming(std::size_t node) const {
+    return std::any_of(graph_.edges.begin(), graph_.edges.end(), [node](const GraphEdge& edge) {
+      return edge.stream && (edge.from == node || edge.to == node);
+    });
+  }
+
+  static std::string foot(const ProcessRecord& process, bool streaming, double width,
+                          double height) {
     const auto times = activity_times(process);
     const double life = static_cast<double>(
         std::max<std::int64_t>({process.end - process.begin,
@@ -172,7 +180,7 @@ class GraphDrawing {
         "<text class=\"time\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>"
         "<text class=\"time\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
         kPadding, height - 11, duration_text(busy), width - kPadding, height - 11,
-        items > 1 ? count_text(items) + " items" : "");
+        streaming ? count_text(items, "item", "items") : "");
     double x = kPadding;
     for (std::size_t i = 0; i < times.size(); ++i) {
       const double part = (width - 2 * kPadding) * static_cast<double>(times[i]) / life;

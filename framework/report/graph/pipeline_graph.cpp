@@ -55,8 +55,11 @@ std::string short_type(const std::string& type) {
 
 std::string parameter_text(const ParameterValue& value, const std::string& unit) {
   const std::string text = std::visit(ValueText{}, value);
-  const bool given = !std::holds_alternative<std::monostate>(value);
-  return unit.empty() || !given ? text : fmt::format("{} {}", text, unit);
+  if (unit.empty() || std::holds_alternative<std::monostate>(value)) return text;
+  std::string symbol = unit;
+  if (const std::size_t power = symbol.find("^2"); power != std::string::npos)
+    symbol.replace(power, 2, "²");
+  return fmt::format("{} {}", text, symbol);
 }
 
 PipelineGraph pipeline_graph(const Plan& plan) {

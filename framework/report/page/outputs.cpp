@@ -23,8 +23,11 @@ std::string row(const WrittenFile& file, const std::string& from) {
 }
 
 std::string rows_of(const ReportData& data, const PlannedOutput& output) {
-  const auto source = data.source_of(output);
-  const std::string from = source ? port_name(data.plan, *source) : "";
+  std::string from;
+  for (const PlannedSource& source : data.sources_of(output)) {
+    if (!from.empty()) from += ", ";
+    from += port_name(data.plan, source);
+  }
   std::string rows;
   std::size_t count = 0;
   std::uint64_t bytes = 0;

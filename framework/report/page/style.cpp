@@ -34,7 +34,7 @@ code{font-family:var(--mono);font-size:.86em}
 font:12.5px/1.5 var(--mono);overflow-wrap:anywhere;white-space:pre-wrap}
 .soft{color:var(--soft)}.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .scroll{overflow-x:auto;margin:0 -28px;padding:0 28px}
-.scroll svg{display:block;max-width:100%;height:auto;min-width:min(1000px,100%)}
+.scroll svg{display:block;max-width:max(100%,880px);height:auto}
 .legend{display:inline-flex;flex-wrap:wrap;gap:2px 16px;color:var(--soft);font-size:12.5px;margin:0 0 6px}
 .legend>span{display:inline-flex;align-items:center;gap:6px}
 .legend i{width:11px;height:11px;border-radius:2px;display:inline-block}
@@ -83,7 +83,7 @@ th.timeline span:last-child{float:right}
 details{margin-top:14px}summary{cursor:pointer;color:var(--soft);margin-bottom:8px}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:3px 20px;margin:0 0 26px;font-size:13.5px}
 dl.facts{display:flex}dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}
-.chosen{font-weight:600}.default{color:var(--soft)}.stages td span{margin-right:10px;display:inline-block}
+.stages td:first-child,.stages code{white-space:nowrap}.chosen{font-weight:600}.default{color:var(--soft)}.stages td span{margin-right:10px;display:inline-block}
 .log{list-style:none;margin:0;padding:0;font-size:13px}.log li{padding:2px 0}
 .log .warning b,.log .warning:before{color:var(--road)}.log .warning:before{content:"▲ ";font-size:10px}
 @media print{.scroll{overflow:visible}section{break-inside:avoid-page}}

@@ -31,7 +31,7 @@ void run_once(const Plan& plan, const fs::path& folder, const std::string& text,
   const made::AnyCatalogue catalogue;
   RunReport report(plan, catalogue, made::facts(), folder);
   auto sinks = report.sinks();
-  Sink& sink = made::sink(sinks, "outputs/map.yaml");
+  Sink& sink = made::sink(sinks, "write map.yaml");
   sink.consume(made::item(made::artefact({{"yaml", text}, {"pgm", "pixels of " + text}})));
   if (end == RunRecord::End::kDone) sink.finish();
   report.finish(made::ended(end, end == RunRecord::End::kDone ? "" : "grid: no."));
@@ -62,7 +62,7 @@ TEST(RunReport, ListsEachFileWithItsSha256) {
   // FIPS 180-2, appendix B.1.
   EXPECT_EQ(outputs[0]["sha256"],
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(outputs[0]["from"], "grid.grid");
+  EXPECT_EQ(outputs[0]["made_of"][0]["port"], "grid.grid");
   EXPECT_EQ(outputs[1]["path"], "outputs/map.pgm");
   EXPECT_EQ(outputs[1]["companion"], true);
 }
@@ -76,12 +76,12 @@ TEST(RunReport, GivesTheDigestOfThePayloadAnOutputWasMadeOf) {
   grid.cells = {0, 254, 255, 0};
   RunReport report(plan, catalogue, made::facts(), folder.path);
   auto sinks = report.sinks();
-  made::sink(sinks, "outputs/map.yaml").consume(made::item(made::artefact({{"yaml", "a"}})));
-  made::sink(sinks, "outputs/map.yaml").finish();
+  made::sink(sinks, "write map.yaml").consume(made::item(made::artefact({{"yaml", "a"}})));
+  made::sink(sinks, "write map.yaml").finish();
   made::sink(sinks, "report: grid.grid").consume(made::item(grid));
   made::sink(sinks, "report: grid.grid").finish();
   report.finish(made::ended(RunRecord::End::kDone));
-  EXPECT_EQ(json_of(folder.path)["outputs"][0]["digest"], digest_of(grid).text());
+  EXPECT_EQ(json_of(folder.path)["outputs"][0]["made_of"][0]["digest"], digest_of(grid).text());
 }
 
 TEST(RunReport, ReplacesAnEarlierRunAndKeepsForeignFiles) {
@@ -118,7 +118,7 @@ TEST(RunReport, LeavesNothingWithoutFinish) {
     const made::AnyCatalogue catalogue;
     RunReport report(plan, catalogue, made::facts(), folder.path);
     auto sinks = report.sinks();
-    made::sink(sinks, "outputs/map.yaml").consume(made::item(made::artefact({{"yaml", "a"}})));
+    made::sink(sinks, "write map.yaml").consume(made::item(made::artefact({{"yaml", "a"}})));
     report.log(LogLevel::kInfo, "grid", "halfway");
   }
   EXPECT_TRUE(made::files_below(folder.path).empty());
@@ -173,7 +173,7 @@ int run_with_small_disk(const fs::path& folder, rlim_t limit, std::size_t size) 
     ::setrlimit(RLIMIT_FSIZE, &bound);
     try {
       auto sinks = report.sinks();
-      Sink& sink = made::sink(sinks, "outputs/map.yaml");
+      Sink& sink = made::sink(sinks, "write map.yaml");
       sink.consume(made::item(made::artefact({{"yaml", "new"}, {"pgm", std::string(size, 'x')}})));
       sink.finish();
       report.finish(made::ended(RunRecord::End::kDone));

@@ -62,7 +62,7 @@ std::string page_of_a_run(RunRecord::End end = RunRecord::End::kDone) {
   give("report: grid.grid", made::item(map));
   give(std::string("report: ") + kNasty + "." + kNasty, made::item(graph));
   give("report: plan.path", made::item(path));
-  give("outputs/plan & go.geojson", made::item(made::artefact({{"geojson", "{}"}})));
+  give("write plan & go.geojson", made::item(made::artefact({{"geojson", "{}"}})));
 
   RunRecord record = made::ended(end, end == RunRecord::End::kDone ? "" : kNasty);
   ProcessRecord process;
