@@ -1,0 +1,216 @@
+// Road graphs of large grids on one core, beside OpenCV on the same grids in the same run.
+//
+//   taskset -c 0 build/bin/topology_benchmark [--whole] [--repeats N]
+//
+// Grids: the 4096 x 4096 window of the real mine at 0.1 m that has the most free cells among those
+// at multiples of 512 cells, and a synthetic one of 4096 x 4096 cells, 60 % of them free: smooth
+// noise (random values every 256 cells plus half as much every 64, bilinear) above its 40 % point.
+// --whole: also the whole mine, 21083 x 12955 cells. Prints medians of the thread's own CPU time,
+// which on an idle core is the time that passes; everything here runs on one thread.
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/ximgproc.hpp>
+
+#include "plugins/topology/dividing_lines.hpp"
+#include "plugins/topology/extract_roads.hpp"
+#include "stope/random.hpp"
+#include "tests/plugins/topology/graph_checks.hpp"
+
+namespace stope::topology {
+namespace {
+
+constexpr int kSide = 4096;
+
+OccupancyGrid empty_grid(int width, int height, double resolution) {
+  OccupancyGrid grid;
+  grid.frame = {width, height, resolution, {}};
+  grid.cells.assign(grid.frame.size(), OccupancyGrid::kOccupied);
+  return grid;
+}
+
+OccupancyGrid synthetic() {
+  const auto layer = [](int spacing, std::uint64_t seed) {
+    const int count = kSide / spacing + 2;
+    Random random(seed);
+    std::vector<float> values(static_cast<std::size_t>(count * count));
+    for (float& value : values) value = static_cast<float>(random.uniform());
+    return [=](int x, int y) {
+      const int i = x / spacing, k = y / spacing;
+      const float s = static_cast<float>(x % spacing) / static_cast<float>(spacing);
+      const float t = static_cast<float>(y % spacing) / static_cast<float>(spacing);
+      const auto at = [&](int u, int v) { return values[static_cast<std::size_t>(v * count + u)]; };
+      return (1 - t) * ((1 - s) * at(i, k) + s * at(i + 1, k)) +
+             t * ((1 - s) * at(i, k + 1) + s * at(i + 1, k + 1));
+    };
+  };
+  const auto coarse = layer(256, 1), fine = layer(64, 2);
+  OccupancyGrid grid = empty_grid(kSide, kSide, 0.1);
+  std::vector<float> height(grid.cells.size());
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      height[grid.frame.place({x, y})] = coarse(x, y) + 0.5F * fine(x, y);
+  std::vector<float> sorted = height;
+  const auto limit = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 2 / 5);
+  std::nth_element(sorted.begin(), limit, sorted.end());
+  for (std::size_t i = 0; i < height.size(); ++i)
+    if (height[i] > *limit) grid.cells[i] = OccupancyGrid::kFree;
+  return grid;
+}
+
+OccupancyGrid from_image(const cv::Mat& image, double resolution) {
+  OccupancyGrid grid = empty_grid(image.cols, image.rows, resolution);
+  for (int row = 0; row < image.rows; ++row)
+    for (int column = 0; column < image.cols; ++column)
+      if (image.at<std::uint8_t>(image.rows - 1 - row, column) > 127)
+        grid.cells[grid.frame.place({column, row})] = OccupancyGrid::kFree;
+  return grid;
+}
+
+OccupancyGrid fullest_window(const OccupancyGrid& mine) {
+  std::int64_t most = -1;
+  OccupancyGrid best;
+  for (int row = 0; row + kSide <= mine.frame.height; row += 512) {
+    for (int column = 0; column + kSide <= mine.frame.width; column += 512) {
+      OccupancyGrid window = empty_grid(kSide, kSide, mine.frame.resolution);
+      for (int y = 0; y < kSide; ++y)
+        std::memcpy(&window.cells[window.frame.place({0, y})],
+                    &mine.cells[mine.frame.place({column, row + y})], kSide);
+      const auto free = std::count(window.cells.begin(), window.cells.end(), OccupancyGrid::kFree);
+      if (free <= most) continue;
+      most = free;
+      best = std::move(window);
+    }
+  }
+  return best;
+}
+
+/// Time this thread has run, in milliseconds: what others do on the same core does not count.
+double now_ms() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+double median_ms(int repeats, const std::function<void()>& work) {
+  std::vector<double> times;
+  for (int i = 0; i < repeats; ++i) {
+    const double start = now_ms();
+    work();
+    times.push_back(now_ms() - start);
+  }
+  std::sort(times.begin(), times.end());
+  return times[times.size() / 2];
+}
+
+/// The steps of the extraction apart, with voronoi's rule for sides.
+void time_steps(const OccupancyGrid& grid, int repeats) {
+  std::vector<double> steps(4, 0);
+  for (int i = 0; i < repeats; ++i) {
+    double last = now_ms();
+    std::size_t step = 0;
+    const auto lap = [&] {
+      const double now = now_ms();
+      steps[step++] += now - last;
+      last = now;
+    };
+    FreeSpace space = make_free_space(grid, {});
+    lap();
+    EdgeGrid edges(space.width(), space.height());
+    const Outlines outlines = trace_outlines(space, edges, 1000, 40);
+    lap();
+    find_nearest_outline(space, outlines, edges);
+    lap();
+    find_dividing_lines(space, outlines, SideRule::between_sides(outlines), edges);
+    lap();
+  }
+  fmt::print(
+      "  steps, means: free space {:.1f}, outlines {:.1f}, distance transform {:.1f}, "
+      "dividing lines {:.1f} ms\n",
+      steps[0] / repeats, steps[1] / repeats, steps[2] / repeats, steps[3] / repeats);
+}
+
+void time_opencv(const OccupancyGrid& grid, int repeats, double ours) {
+  cv::Mat free(grid.frame.height, grid.frame.width, CV_8U);
+  for (std::size_t i = 0; i < grid.cells.size(); ++i)
+    free.data[i] = grid.cells[i] == OccupancyGrid::kFree ? 255 : 0;
+  cv::Mat distance;
+  const double transform = median_ms(
+      repeats, [&] { cv::distanceTransform(free, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE); });
+  const double flood = median_ms(1, [&] {
+    cv::Mat markers, heights, colour, obstacles = 255 - free;
+    cv::connectedComponents(obstacles, markers, 4, CV_32S);
+    distance.convertTo(heights, CV_8U);
+    cv::cvtColor(heights, colour, cv::COLOR_GRAY2BGR);
+    cv::watershed(colour, markers);
+  });
+  fmt::print(
+      "  OpenCV distanceTransform {:.0f} ms, + connectedComponents + watershed {:.0f} ms "
+      "(together {:.1f} x ours; its watershed follows colour, not height)\n",
+      transform, flood, (transform + flood) / ours);
+  cv::Mat thin;
+  const double thinning = median_ms(1, [&] { cv::ximgproc::thinning(free, thin); });
+  fmt::print("  OpenCV distanceTransform + ximgproc::thinning {:.0f} ms ({:.0f} x ours)\n",
+             transform + thinning, (transform + thinning) / ours);
+}
+
+void run(const char* name, const OccupancyGrid& grid, int repeats, bool peers) {
+  const auto free = std::count(grid.cells.begin(), grid.cells.end(), OccupancyGrid::kFree);
+  fmt::print("{}: {} x {} cells, {:.1f} % free\n", name, grid.frame.width, grid.frame.height,
+             100.0 * static_cast<double>(free) / static_cast<double>(grid.cells.size()));
+  const auto report = [&](const char* stage, double ms, const RoadGraph& roads) {
+    const Betti betti = betti_of(roads);
+    fmt::print("  {} {:.0f} ms, raster to road graph: {} edges, {} nodes, {} pieces, {} cycles\n",
+               stage, ms, roads.edges.size(), roads.nodes.size(), betti.pieces, betti.cycles);
+    std::fflush(stdout);
+  };
+  RoadGraph roads;
+  const double watershed = median_ms(repeats, [&] { roads = watershed_roads(grid, {}); });
+  report("topology/watershed", watershed, roads);
+  const double voronoi = median_ms(repeats, [&] { roads = voronoi_roads(grid, {}, {}); });
+  report("topology/voronoi  ", voronoi, roads);
+  time_steps(grid, repeats);
+  if (peers) time_opencv(grid, std::max(1, repeats / 3), std::max(watershed, voronoi));
+}
+
+cv::Mat read_mine() {
+  const char* data = std::getenv("STOPE_DATA");
+  const std::filesystem::path file =
+      std::filesystem::path(data ? data : STOPE_DEFAULT_DATA) / "open_pit_maps" / "dapai_0p1m.png";
+  if (!std::filesystem::exists(file)) {
+    fmt::print("The mine's raster {} is not there, so it is left out; set STOPE_DATA.\n",
+               file.string());
+    return {};
+  }
+  ::setenv("OPENCV_IO_MAX_IMAGE_PIXELS", "1000000000", 1);
+  return cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+}
+
+}  // namespace
+}  // namespace stope::topology
+
+int main(int argc, char** argv) {
+  using namespace stope::topology;
+  bool whole = false, peers = true;
+  int repeats = 9;
+  for (int i = 1; i < argc; ++i) {
+    if (!std::strcmp(argv[i], "--whole")) whole = true;
+    if (!std::strcmp(argv[i], "--no-peers")) peers = false;
+    if (!std::strcmp(argv[i], "--repeats") && i + 1 < argc) repeats = std::atoi(argv[++i]);
+  }
+  cv::setNumThreads(1);
+  run("Synthetic", synthetic(), repeats, peers);
+  const cv::Mat image = read_mine();
+  if (image.empty()) return 0;
+  const stope::OccupancyGrid mine = from_image(image, 0.1);
+  run("Window of the mine", fullest_window(mine), repeats, peers);
+  if (whole) run("The whole mine", mine, std::max(1, repeats / 3), false);
+}
