@@ -47,7 +47,8 @@ RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& par
   drop_below_clearance(network, grid.frame, params.min_clearance);
   merge_junctions(network, kJunctionShare);
   straighten_junctions(network);
-  return to_road_graph(network, grid.frame, params.simplify);
+  return to_road_graph(network, terrain.outlines, terrain.edges, terrain.space, grid.frame,
+                       params.simplify);
 }
 
 RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& params,
@@ -63,7 +64,8 @@ RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& param
   prune_spurs(network, {reach, branches.min_branch_share});
   merge_junctions(network, kJunctionShare);
   straighten_junctions(network);
-  return to_road_graph(network, grid.frame, params.simplify);
+  return to_road_graph(network, terrain.outlines, terrain.edges, terrain.space, grid.frame,
+                       params.simplify);
 }
 
 }  // namespace stope::topology

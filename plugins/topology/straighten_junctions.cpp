@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 namespace stope::topology {
 namespace {
@@ -15,10 +15,18 @@ struct End {
   bool reversed = false;  ///< the line's last point is the one at the node
 };
 
-/// A line through a place, with its direction.
-struct Ray {
-  double x = 0, y = 0, dx = 0, dy = 0;
+/// How a road leaves a junction's circle: the place, and its direction outwards.
+struct Exit {
+  End end;
+  std::size_t index = 0;  ///< of the place along the line, from the junction
+  LinePoint place;
+  double dx = 0, dy = 0;
+  bool directed = false;  ///< the road is long enough to have a direction
 };
+
+double distance_to_ray(const LinePoint& point, const Exit& exit) {
+  return (point.x - exit.place.x) * exit.dy - (point.y - exit.place.y) * exit.dx;
+}
 
 class Straightener {
  public:
@@ -31,12 +39,8 @@ class Straightener {
   }
 
   void run() {
-    // Directions are taken from all lines before any is changed.
-    std::vector<std::optional<LinePoint>> places(network_.nodes.size());
     for (std::size_t node = 0; node < network_.nodes.size(); ++node)
-      if (ends_[node].size() >= 3) places[node] = crossing(node);
-    for (std::size_t node = 0; node < network_.nodes.size(); ++node)
-      if (places[node]) move(node, *places[node]);
+      if (ends_[node].size() >= 3) straighten(node);
   }
 
  private:
@@ -46,8 +50,9 @@ class Straightener {
   }
   std::size_t count(End end) const { return network_.lines[at(end.line)].points.size(); }
 
-  /// The first point outside of the node's circle, within the near half of the line.
-  std::size_t exit_of(End end, const LinePoint& node) const {
+  /// The first point outside of the node's circle, within the near half of the line, and the
+  /// direction of the stretch beyond it, twice as long as the road is wide to each side.
+  Exit exit_of(End end, const LinePoint& node) const {
     const double half = network_.lines[at(end.line)].length() / 2;
     double way = 0;
     std::size_t i = 1;
@@ -55,55 +60,101 @@ class Straightener {
       way += distance_between(point(end, i - 1), point(end, i));
       if (way >= half || distance_between(point(end, i), node) >= node.distance) break;
     }
-    return i;
+    Exit exit{end, i, point(end, i), 0, 0, false};
+    const double wanted = 2 * exit.place.distance;
+    double beyond = 0;
+    for (std::size_t k = i + 1; k < count(end) && beyond < wanted; ++k) {
+      beyond += distance_between(point(end, k - 1), point(end, k));
+      exit.dx += point(end, k).x - exit.place.x;
+      exit.dy += point(end, k).y - exit.place.y;
+    }
+    const double norm = std::hypot(exit.dx, exit.dy);
+    exit.directed = beyond >= wanted / 2 && norm > 0;
+    if (norm > 0) exit.dx /= norm, exit.dy /= norm;
+    return exit;
   }
 
-  /// The direction in which a road goes on beyond the circle, fitted to a stretch three of its
-  /// half widths long; none where the line is too short for that.
-  std::optional<Ray> road_beyond(End end, const LinePoint& node) const {
-    const std::size_t exit = exit_of(end, node);
-    const double wanted = 3 * point(end, exit).distance;
-    double way = 0, x = 0, y = 0, n = 0;
-    std::size_t last = exit;
-    for (; last < count(end) && way < wanted; ++last) {
-      if (last > exit) way += distance_between(point(end, last - 1), point(end, last));
-      x += point(end, last).x;
-      y += point(end, last).y;
-      ++n;
-    }
-    if (way < wanted / 2) return std::nullopt;
-    x /= n;
-    y /= n;
-    double xx = 0, xy = 0, yy = 0;
-    for (std::size_t i = exit; i < last; ++i) {
-      const double dx = point(end, i).x - x, dy = point(end, i).y - y;
-      xx += dx * dx;
-      xy += dx * dy;
-      yy += dy * dy;
-    }
-    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-    return Ray{x, y, std::cos(angle), std::sin(angle)};
+  void straighten(std::size_t node) {
+    const LinePoint old = network_.nodes[node].point;
+    std::vector<Exit> exits;
+    for (const End end : ends_[node]) exits.push_back(exit_of(end, old));
+    if (through_and_sides(node, old, exits)) return;
+    if (std::count_if(exits.begin(), exits.end(), [](const Exit& e) { return e.directed; }) >= 2)
+      join(node, crossing(old, exits), exits, {});
   }
 
-  std::optional<LinePoint> crossing(std::size_t node) const {
+  bool through_and_sides(std::size_t node, const LinePoint& old, const std::vector<Exit>& exits) {
+    double best = -0.7;  // cosine: at most 45 degrees of bend
+    std::size_t first = 0, second = 0;
+    for (std::size_t i = 0; i < exits.size(); ++i) {
+      for (std::size_t k = i + 1; k < exits.size(); ++k) {
+        if (!exits[i].directed || !exits[k].directed) continue;
+        const double cosine = exits[i].dx * exits[k].dx + exits[i].dy * exits[k].dy;
+        if (cosine >= best) continue;
+        best = cosine;
+        first = i;
+        second = k;
+      }
+    }
+    if (first == second) return false;
+    const std::vector<LinePoint> curve = through_curve(exits[first], exits[second], old);
+    if (curve.empty()) return false;
+    std::size_t nearest = curve.size() / 2;
+    double least = 1e300;
+    for (std::size_t i = curve.size() / 8; i < curve.size() - curve.size() / 8; ++i) {
+      // Side roads often bend within the junction: they are not trusted all the way.
+      const double back = distance_between(curve[i], old);
+      double sum = 0.25 * back * back;
+      for (std::size_t k = 0; k < exits.size(); ++k) {
+        if (k == first || k == second) continue;
+        const double off = exits[k].directed ? distance_to_ray(curve[i], exits[k])
+                                             : distance_between(curve[i], exits[k].place);
+        sum += off * off;
+      }
+      if (sum >= least) continue;
+      least = sum;
+      nearest = i;
+    }
+    std::vector<std::vector<LinePoint>> ways(exits.size());
+    for (std::size_t i = nearest; i-- > 1;) ways[first].push_back(curve[i]);
+    for (std::size_t i = nearest + 1; i + 1 < curve.size(); ++i) ways[second].push_back(curve[i]);
+    join(node, curve[nearest], exits, ways);
+    return true;
+  }
+
+  /// A cubic with the exits' places and directions; none if it leaves the circle.
+  static std::vector<LinePoint> through_curve(const Exit& a, const Exit& b, const LinePoint& old) {
+    constexpr int kParts = 32;
+    const double third = distance_between(a.place, b.place) / 3;
+    std::vector<LinePoint> curve;
+    for (int i = 0; i <= kParts; ++i) {
+      const double t = static_cast<double>(i) / kParts, s = 1 - t;
+      const double wa = s * s * s + 3 * s * s * t, wb = t * t * t + 3 * s * t * t;
+      LinePoint point{
+          wa * a.place.x + wb * b.place.x - 3 * third * (s * s * t * a.dx + s * t * t * b.dx),
+          wa * a.place.y + wb * b.place.y - 3 * third * (s * s * t * a.dy + s * t * t * b.dy), 0};
+      const double off = distance_between(point, old);
+      const double chord = s * a.place.distance + t * b.place.distance;
+      point.distance = std::max(old.distance - off, 0.0);
+      if (i > kParts / 8 && i < kParts - kParts / 8 && point.distance < 0.05 * chord) return {};
+      curve.push_back(point);
+    }
+    return curve;
+  }
+
+  static LinePoint crossing(const LinePoint& old, const std::vector<Exit>& exits) {
     // A weak pull to the old place decides where nearly parallel roads leave it open.
     constexpr double kPull = 0.05;
-    const LinePoint& old = network_.nodes[node].point;
     double a = kPull, b = 0, c = kPull, u = 0, v = 0;
-    int rays = 0;
-    for (const End end : ends_[node]) {
-      const std::optional<Ray> ray = road_beyond(end, old);
-      if (!ray) continue;
-      ++rays;
-      const double nx = -ray->dy, ny = ray->dx;
-      const double off = nx * (ray->x - old.x) + ny * (ray->y - old.y);
+    for (const Exit& exit : exits) {
+      if (!exit.directed) continue;
+      const double nx = exit.dy, ny = -exit.dx, off = -distance_to_ray(old, exit);
       a += nx * nx;
       b += nx * ny;
       c += ny * ny;
       u += nx * off;
       v += ny * off;
     }
-    if (rays < 2) return std::nullopt;
     const double determinant = a * c - b * b;
     double dx = (c * u - b * v) / determinant, dy = (a * v - b * u) / determinant;
     const double farthest = 0.5 * old.distance, step = std::hypot(dx, dy);
@@ -111,17 +162,21 @@ class Straightener {
       dx *= farthest / step;
       dy *= farthest / step;
     }
-    return LinePoint{old.x + dx, old.y + dy, old.distance - std::hypot(dx, dy)};
+    return {old.x + dx, old.y + dy, old.distance - std::hypot(dx, dy)};
   }
 
-  void move(std::size_t node, const LinePoint& place) {
-    const LinePoint old = network_.nodes[node].point;
-    for (const End end : ends_[node]) {
-      const std::size_t exit = exit_of(end, old);
+  /// Lets all lines start at `place` and go on to their exits, straight or by the way given.
+  void join(std::size_t node, const LinePoint& place, const std::vector<Exit>& exits,
+            const std::vector<std::vector<LinePoint>>& ways) {
+    for (std::size_t i = 0; i < exits.size(); ++i) {
+      const End end = exits[i].end;
       auto& points = network_.lines[at(end.line)].points;
       if (end.reversed) std::reverse(points.begin(), points.end());
-      points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(exit) - 1);
-      points.front() = place;
+      // The line's other end may have been cut since, but only in its own half.
+      points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(exits[i].index));
+      std::vector<LinePoint> start{place};
+      if (!ways.empty()) start.insert(start.end(), ways[i].begin(), ways[i].end());
+      points.insert(points.begin(), start.begin(), start.end());
       if (end.reversed) std::reverse(points.begin(), points.end());
     }
     network_.nodes[node].point = place;

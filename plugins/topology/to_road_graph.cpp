@@ -1,6 +1,7 @@
 #include "plugins/topology/to_road_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -33,6 +34,36 @@ double median_clearance(const std::vector<LinePoint>& points) {
   return 0;
 }
 
+/// The distance from any point to the nearest obstacle cell's centre, as the cells around see it.
+class DistanceField {
+ public:
+  DistanceField(const Outlines& outlines, const EdgeGrid& edges, const FreeSpace& space)
+      : outlines_(outlines), edges_(edges), space_(space) {}
+  double at(const LinePoint& point) const {
+    const auto column = static_cast<std::int32_t>(std::floor(point.x));
+    const auto row = static_cast<std::int32_t>(std::floor(point.y));
+    double least = point.distance;
+    bool seen = false;
+    for (std::int32_t y = std::max(row - 1, 0); y <= std::min(row + 1, space_.height() - 1); ++y) {
+      for (std::int32_t x = std::max(column - 1, 0); x <= std::min(column + 1, space_.width() - 1);
+           ++x) {
+        const CellIndex cell = space_.index(x, y);
+        if (space_[cell] & kObstacle) continue;
+        const auto place = outlines_.place[static_cast<std::size_t>(edges_[cell])];
+        const double there = distance_between(point, {place.column + 0.5, place.row + 0.5, 0});
+        least = seen ? std::min(least, there) : there;
+        seen = true;
+      }
+    }
+    return least;
+  }
+
+ private:
+  const Outlines& outlines_;
+  const EdgeGrid& edges_;
+  const FreeSpace& space_;
+};
+
 RoadVertex to_vertex(const LinePoint& point, const GridFrame& frame) {
   const Vector2 place = frame.to_map(point.x, point.y);
   return {place.x(), place.y(), kNoElevation,
@@ -41,22 +72,25 @@ RoadVertex to_vertex(const LinePoint& point, const GridFrame& frame) {
 
 }  // namespace
 
-RoadGraph to_road_graph(const LineNetwork& network, const GridFrame& frame, double tolerance) {
+RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
+                        const FreeSpace& space, const GridFrame& frame, double tolerance) {
+  const DistanceField field(outlines, edges, space);
   RoadGraph graph;
   for (const auto& node : network.nodes) {
     const RoadVertex vertex = to_vertex(node.point, frame);
     graph.nodes.push_back({0, vertex.x, vertex.y, vertex.z});
   }
   for (const Line& line : network.lines) {
-    const auto points = simplify_line(smooth_line(line.points, kSmoothingReach, kSmoothingShare),
-                                      tolerance / frame.resolution);
+    std::vector<LinePoint> smooth = smooth_line(line.points, kSmoothingReach, kSmoothingShare);
+    for (LinePoint& point : smooth) point.distance = field.at(point);
+    const auto points = simplify_line(smooth, tolerance / frame.resolution);
     RoadEdge edge;
     edge.from = static_cast<std::uint32_t>(line.from);
     edge.to = static_cast<std::uint32_t>(line.to);
     edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
     edge.vertex_count = static_cast<std::uint32_t>(points.size());
     for (const LinePoint& point : points) graph.vertices.push_back(to_vertex(point, frame));
-    edge.width = 2 * median_clearance(line.points) * frame.resolution;
+    edge.width = 2 * median_clearance(smooth) * frame.resolution;
     graph.edges.push_back(edge);
   }
   canonicalize(graph);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "plugins/topology/line_network.hpp"
+#include "plugins/topology/outlines.hpp"
 #include "stope/payloads/grid_frame.hpp"
 #include "stope/payloads/road_graph.hpp"
 
@@ -9,6 +10,7 @@ namespace stope::topology {
 /// Brings centre lines into the map frame, smoothed and simplified with a tolerance in metres, as a
 /// canonical road graph. Clearance is measured to the obstacle's edge, taken half a cell before its
 /// centre; an edge's width is twice the median clearance along it.
-RoadGraph to_road_graph(const LineNetwork& network, const GridFrame& frame, double tolerance);
+RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
+                        const FreeSpace& space, const GridFrame& frame, double tolerance);
 
 }  // namespace stope::topology
