@@ -29,6 +29,7 @@ std::string number_text(double value) {
 }
 
 std::string length_text(double metres) {
+  if (!std::isfinite(metres)) return number_text(metres);
   return std::abs(metres) >= 999.5 ? fmt::format("{} km", number_text(metres / 1000.0))
                                    : fmt::format("{} m", number_text(metres));
 }

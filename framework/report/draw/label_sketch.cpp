@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
+#include <vector>
 
 #include "framework/report/draw/colour_ramp.hpp"
 #include "framework/report/draw/grid_picture.hpp"
@@ -19,6 +20,19 @@ Raster label_raster(const LabelGrid& grid) {
       false};
 }
 
+// Which labels from 1 to a few million occur: a bit each, since a noisy grid may hold very many.
+std::vector<bool> labels_in(const LabelGrid& grid) {
+  constexpr std::int32_t kMostLabels = 1 << 24;
+  std::vector<bool> seen;
+  for (const std::int32_t label : grid.cells) {
+    if (label <= 0 || label >= kMostLabels) continue;
+    const auto place = static_cast<std::size_t>(label);
+    if (place >= seen.size()) seen.resize(std::max(place + 1, 2 * seen.size()));
+    seen[place] = true;
+  }
+  return seen;
+}
+
 std::string css_colour(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
@@ -32,17 +46,14 @@ Sketch sketch_of(const LabelGrid& grid) {
     sketch.caption = "no cells";
     return sketch;
   }
-  std::set<std::int32_t> labels;
-  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
-    if (i == 0 || grid.cells[i] != grid.cells[i - 1]) labels.insert(grid.cells[i]);
-  }
-  labels.erase(0);
-  sketch.caption = fmt::format("{}; {}", grid_size_text(grid.frame),
-                               count_text(labels.size(), "label", "labels"));
-  for (const std::int32_t label : labels) {
-    const auto place = static_cast<std::size_t>(label);
-    if (label > 0 && place < grid.names.size() && sketch.legend.size() < kLegendEntries)
-      sketch.legend.push_back({"", css_colour(label_colour(label)), grid.names[place]});
+  const std::vector<bool> seen = labels_in(grid);
+  const auto count = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+  sketch.caption =
+      fmt::format("{}; {}", grid_size_text(grid.frame), count_text(count, "label", "labels"));
+  for (std::size_t label = 1; label < seen.size() && label < grid.names.size(); ++label) {
+    if (!seen[label] || sketch.legend.size() == kLegendEntries) continue;
+    const Colour colour = label_colour(static_cast<std::int64_t>(label));
+    sketch.legend.push_back({"", css_colour(colour), grid.names[label]});
   }
   sketch.raster = label_raster(grid);
   return sketch;

@@ -78,6 +78,15 @@ class Layouter {
       }
       links_.push_back({from, wire.to, from_height, wire.to_height});
     }
+    // Those of one column side by side, for counting crossings.
+    std::stable_sort(links_.begin(), links_.end(), [this](const Link& a, const Link& b) {
+      return slots_[a.from].column < slots_[b.from].column;
+    });
+    links_of_.resize(slots_.size());
+    for (std::size_t l = 0; l < links_.size(); ++l) {
+      links_of_[links_[l].from].push_back(l);
+      links_of_[links_[l].to].push_back(l);
+    }
     order_.resize(static_cast<std::size_t>(columns_));
     for (std::size_t s = 0; s < slots_.size(); ++s) column_of(s).push_back(s);
   }
@@ -112,7 +121,8 @@ class Layouter {
       sum += weight * top;
       weights += weight;
     };
-    for (const Link& link : links_) {
+    for (const std::size_t place : links_of_[slot]) {
+      const Link& link = links_[place];
       if ((left || both) && link.to == slot)
         add(link.from, slots_[link.from].top + link.from_height - link.to_height);
       if ((!left || both) && link.from == slot)
@@ -126,7 +136,7 @@ class Layouter {
     for (std::size_t a = 0; a < links_.size(); ++a) {
       for (std::size_t b = a + 1; b < links_.size(); ++b) {
         const Link &one = links_[a], &two = links_[b];
-        if (slots_[one.from].column != slots_[two.from].column) continue;
+        if (slots_[one.from].column != slots_[two.from].column) break;
         const double left =
             slots_[one.from].top + one.from_height - slots_[two.from].top - two.from_height;
         const double right =
@@ -223,6 +233,7 @@ class Layouter {
   int columns_ = 0;
   std::vector<Slot> slots_;  ///< the boxes, then the passages
   std::vector<Link> links_;
+  std::vector<std::vector<std::size_t>> links_of_;  ///< by slot: those that begin or end there
   std::vector<std::vector<std::size_t>> passages_;  ///< by wire: slots
   std::vector<std::vector<std::size_t>> order_;     ///< by column: slots from top to bottom
 };

@@ -7,12 +7,14 @@
 ///
 /// Problem: boxes of different heights, wires from ports at given heights; few crossings, short
 /// and smooth wires, nothing on top of anything.
+///
 /// Idea, after Sugiyama, Tagawa and Toda (1981): each box goes into the column its longest way from
 /// a source says, and a wire that passes a column gets a thin box of its own there. The order
 /// within the columns comes from sweeps that sort by the mean height of the neighbours, of which
 /// the one with the fewest crossings stays. Heights then come from the same means, made disjoint by
-/// least squares (pooling of adjacent violators). Cost: O(sweeps * wires * log wires), and
-/// O(wires^2) to count crossings: for pipelines of up to a few hundred stages.
+/// least squares (pooling of adjacent violators).
+///
+/// Cost: O(wires) a sweep, and O(wires^2) between two columns to count crossings.
 namespace stope::report {
 
 /// What is to be laid out. Edges go from lower to higher places of boxes.

@@ -14,7 +14,7 @@ TEST(QuantityText, Lengths) {
   EXPECT_EQ(length_text(840.2), "840 m");
   EXPECT_EQ(length_text(12345), "12.3 km");
   EXPECT_EQ(length_text(-2.2), "−2.2 m");
-  EXPECT_EQ(length_text(std::numeric_limits<double>::quiet_NaN()), "not known m");
+  EXPECT_EQ(length_text(std::numeric_limits<double>::quiet_NaN()), "not known");
 }
 
 TEST(QuantityText, Durations) {

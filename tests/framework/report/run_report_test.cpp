@@ -84,6 +84,44 @@ TEST(RunReport, GivesTheDigestOfThePayloadAnOutputWasMadeOf) {
   EXPECT_EQ(json_of(folder.path)["outputs"][0]["made_of"][0]["digest"], digest_of(grid).text());
 }
 
+TEST(RunReport, TellsEveryStageWithItsParametersInSiUnits) {
+  const made::Folder folder;
+  Plan plan = one_map_plan();
+  plan.vars = {{"width", "8 m"}};
+  made::put_text(folder.path / "p.yaml", "abc");
+  plan.files_read = {folder.path / "p.yaml", folder.path / "gone.yaml"};
+  const auto parameter = [&plan](const char* name, const char* unit, ParameterValue value) {
+    ParameterInfo info;
+    info.name = name;
+    info.unit = unit;
+    plan.stages[0].info.parameters.push_back(info);
+    plan.stages[0].parameters.push_back(std::move(value));
+  };
+  parameter("width", "m", 8.0);
+  parameter("start", "m", std::vector<double>{1.5, -2});
+  parameter("goal", "m", std::monostate{});
+  parameter("count", "", std::int64_t{7});
+  parameter("mode", "", std::string("\xff"));  // not UTF-8
+  run_once(plan, folder.path / "out", "abc");
+  const auto json = json_of(folder.path / "out");
+  const auto& stage = json["stages"][0];
+  EXPECT_EQ(stage["name"], "grid");
+  EXPECT_EQ(stage["use"], "map_source/any");
+  EXPECT_EQ(stage["plugin"]["build_id"], "0123456789abcdef");
+  EXPECT_EQ(stage["parameters"]["width"], 8.0);
+  EXPECT_EQ(stage["parameters"]["start"], nlohmann::json({1.5, -2.0}));
+  EXPECT_TRUE(stage["parameters"]["goal"].is_null());
+  EXPECT_EQ(stage["parameters"]["count"], 7);
+  EXPECT_EQ(stage["units"], nlohmann::json({{"width", "m"}, {"start", "m"}, {"goal", "m"}}));
+  EXPECT_EQ(json["stages"][1]["inputs"]["payload"], "grid.grid");
+  EXPECT_EQ(json["pipeline"]["vars"]["width"], "8 m");
+  EXPECT_EQ(json["pipeline"]["files"][0]["sha256"],
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_TRUE(json["pipeline"]["files"][1]["sha256"].is_null());
+  EXPECT_EQ(json["run"]["seed"], 7);
+  EXPECT_EQ(json["machine"]["cores"].get<int>() > 0, true);
+}
+
 TEST(RunReport, ReplacesAnEarlierRunAndKeepsForeignFiles) {
   const made::Folder folder;
   made::put_text(folder.path / "notes.txt", "mine");

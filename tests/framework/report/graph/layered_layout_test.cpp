@@ -76,6 +76,11 @@ TEST(LayeredLayout, MovesASourceNextToItsReader) {
   EXPECT_EQ(lay_out(problem).column[3], 2);
 }
 
+TEST(LayeredLayout, BearsLargeGraphs) {
+  const LayoutProblem problem = random_problem(5, 400);
+  EXPECT_EQ(lay_out(problem).top.size(), 400U);
+}
+
 TEST(LayeredLayout, BearsNothingAtAll) {
   const Layout layout = lay_out({});
   EXPECT_EQ(layout.columns, 0);
