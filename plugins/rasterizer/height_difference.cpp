@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "plugins/rasterizer/close_gaps.hpp"
+#include "plugins/rasterizer/fill_holes.hpp"
+#include "plugins/rasterizer/free_driven.hpp"
 #include "plugins/rasterizer/keep_reachable.hpp"
 #include "plugins/rasterizer/local_ground.hpp"
 #include "stope/stope.hpp"
@@ -52,6 +54,8 @@ class HeightDifference final : public Map<OccupancyGrid(PointCloud, Optional<Tra
   struct Params {
     double resolution = 0.5;
     double obstacle_height = 0.5;
+    double max_hole = 25;
+    double driven_width = 2.5;
     double passage = 4;
     int min_points = 2;
     std::optional<double> overhang;
@@ -68,8 +72,9 @@ class HeightDifference final : public Map<OccupancyGrid(PointCloud, Optional<Tra
             "within ground_radius, so that a plane steeper than about obstacle_height over 0.4 of "
             "ground_radius counts as a wall. A cell without points stays unknown; gaps up to "
             "close_gaps between the rings of a spinning LiDAR are filled, obstacles first, but "
-            "never across a step. With a trajectory wired, only the free ground is kept that a "
-            "vehicle can reach from the route as driven.")
+            "never across a step. With a trajectory wired, the route itself is free, and only the "
+            "free ground is kept that a vehicle can reach from it. Vehicles that move while the "
+            "scans are taken leave obstacles where they were.")
         .ports("cloud", "trajectory", "grid")
         .param("resolution", &Params::resolution, "m", more_than(0.0), "Edge of a cell.")
         .param("obstacle_height", &Params::obstacle_height, "m", more_than(0.0),
@@ -84,6 +89,12 @@ class HeightDifference final : public Map<OccupancyGrid(PointCloud, Optional<Tra
                "Which of the lowest points there is the ground: 0 the lowest, 0.5 the middle one.")
         .param("close_gaps", &Params::close_gaps, "m", at_least(0.0),
                "Widest unknown gap that is filled; 0 fills none.")
+        .param("max_hole", &Params::max_hole, "m^2", at_least(0.0),
+               "Unknown holes in free ground up to this area are filled, if they touch no obstacle "
+               "and hide no step.")
+        .param("driven_width", &Params::driven_width, "m", at_least(0.0),
+               "With a trajectory: this wide along the route the ground is free, since the vehicle "
+               "was there.")
         .param("passage", &Params::passage, "m", at_least(0.0),
                "With a trajectory: narrower passages do not lead anywhere.");
   }
@@ -100,10 +111,12 @@ class HeightDifference final : public Map<OccupancyGrid(PointCloud, Optional<Tra
     // Across a gap the ground may rise as a ramp does, up to the slope that still counts as ground.
     const double slope = params.obstacle_height / (0.4 * params.ground_radius);
     close_gaps(grid, ground, params.close_gaps, params.obstacle_height + slope * params.close_gaps);
+    if (trajectory) free_driven(grid, *trajectory, params.driven_width);
+    fill_holes(grid, ground, params.max_hole, params.obstacle_height, slope);
     if (trajectory && !keep_reachable(grid, *trajectory, params.passage)) {
       context.warn(
-          "no free ground lies along the trajectory, so all free ground is kept: are cloud and "
-          "trajectory in the same frame, and is obstacle_height too low?");
+          "the trajectory does not touch the cloud's area, so all free ground is kept: are both in "
+          "the same frame?");
     }
     return grid;
   }

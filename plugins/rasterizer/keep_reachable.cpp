@@ -1,46 +1,35 @@
 // Problem: a LiDAR sees over the berms: benches, slopes and dumps that no road leads to, in
 // tatters. They are no road network.
-// Idea: free ground is eroded by half a passage, what is connected with the route is flooded, and
-// the flood is dilated back. So nothing leaks through a gap in a berm that no truck fits through.
+// Idea: a vehicle's middle keeps half a passage away from obstacles and near free ground (which
+// may have small holes where the scans are thin). What of that is connected with the route is
+// flooded, and the free ground within half a passage of the flood is kept. So nothing leaks through
+// a gap in a berm that no truck fits through.
 // Cost: a few passes over the cells.
 #include "plugins/rasterizer/keep_reachable.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "plugins/rasterizer/disc_morphology.hpp"
+#include "plugins/rasterizer/route_cells.hpp"
 
 namespace stope::rasterizer {
 namespace {
 
-Mask room_for(const OccupancyGrid& grid, double radius) {
-  Mask blocked{grid.frame.width, grid.frame.height, std::vector<std::uint8_t>(grid.cells.size())};
+Mask cells_equal(const OccupancyGrid& grid, std::uint8_t value) {
+  Mask mask{grid.frame.width, grid.frame.height, std::vector<std::uint8_t>(grid.cells.size())};
   for (std::size_t i = 0; i < grid.cells.size(); ++i)
-    blocked.cells[i] = grid.cells[i] == OccupancyGrid::kFree ? 0 : 1;
-  Mask room = dilate(blocked, radius);
-  for (std::uint8_t& cell : room.cells) cell = cell != 0 ? 0 : 1;
-  return room;
+    mask.cells[i] = grid.cells[i] == value ? 1 : 0;
+  return mask;
 }
 
-/// The cells of `room` under the trajectory, closer than half a cell from one to the next.
-std::vector<std::size_t> seeds_of(const OccupancyGrid& grid, const Trajectory& trajectory,
-                                  const Mask& room) {
-  std::vector<std::size_t> seeds;
-  const auto add = [&](const Vector2& point) {
-    const auto cell = grid.frame.cell_at(point.x(), point.y());
-    if (cell && room.cells[grid.frame.place(*cell)] != 0) seeds.push_back(grid.frame.place(*cell));
-  };
-  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
-    const Vector2 here = trajectory.poses[i].T_map_lidar.translation.head<2>();
-    const Vector2 next = trajectory.poses[i + 1 < trajectory.poses.size() ? i + 1 : i]
-                             .T_map_lidar.translation.head<2>();
-    const double steps = std::ceil((next - here).norm() / (0.5 * grid.frame.resolution));
-    if (!(steps < 1e6)) continue;
-    for (double k = 0; k <= steps; ++k)
-      add(steps > 0 ? Vector2(here + (k / steps) * (next - here)) : here);
-  }
-  return seeds;
+/// Where the middle of a vehicle may be. `radius` in cells.
+Mask room_for(const OccupancyGrid& grid, double radius) {
+  Mask room = dilate(cells_equal(grid, OccupancyGrid::kFree), radius / 2);
+  const Mask blocked = dilate(cells_equal(grid, OccupancyGrid::kOccupied), radius);
+  for (std::size_t i = 0; i < room.cells.size(); ++i)
+    room.cells[i] = room.cells[i] != 0 && blocked.cells[i] == 0 ? 1 : 0;
+  return room;
 }
 
 Mask flood(const Mask& room, const std::vector<std::size_t>& seeds) {
@@ -68,9 +57,10 @@ Mask flood(const Mask& room, const std::vector<std::size_t>& seeds) {
 
 bool keep_reachable(OccupancyGrid& grid, const Trajectory& trajectory, double passage) {
   const double radius = passage / 2 / grid.frame.resolution;
-  const Mask room = room_for(grid, radius);
-  const std::vector<std::size_t> seeds = seeds_of(grid, trajectory, room);
+  const std::vector<std::size_t> seeds = route_cells(grid.frame, trajectory);
   if (seeds.empty()) return false;
+  Mask room = room_for(grid, radius);
+  for (const std::size_t cell : seeds) room.cells[cell] = 1;  // the vehicle was there
   const Mask covered = dilate(flood(room, seeds), radius);
   for (std::size_t i = 0; i < grid.cells.size(); ++i) {
     if (grid.cells[i] == OccupancyGrid::kFree && covered.cells[i] == 0)

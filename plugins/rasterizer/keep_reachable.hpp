@@ -5,9 +5,10 @@
 
 namespace stope::rasterizer {
 
-/// Keeps the free cells that a disc of diameter `passage` metres covers while it moves over free
-/// cells, from where the trajectory passes; other free cells become unknown. Returns false, and
-/// changes nothing, if the disc finds no place along the trajectory.
+/// Keeps the free cells that a vehicle `passage` metres wide covers while it moves clear of
+/// obstacles over free ground, from where the trajectory passes; other free cells become unknown.
+/// Unknown holes narrower than half a passage do not stop it, and along the route nothing does.
+/// Returns false, and changes nothing, if the route does not touch the grid.
 bool keep_reachable(OccupancyGrid& grid, const Trajectory& trajectory, double passage);
 
 }  // namespace stope::rasterizer
