@@ -18,7 +18,10 @@ namespace {
 
 // Every figure is drawn 1000 units wide, so that marks have the same size in all of them.
 constexpr double kWidth = 1000;
-constexpr std::size_t kManyMarks = 250;
+constexpr std::size_t kManyMarks = 250, kVeryMany = 1000;
+
+// Two figures that are not much wider than high share a row.
+constexpr double kNearlySquare = 1.25;
 
 bool is_finite(const Vector2& point) {
   return std::isfinite(point.x()) && std::isfinite(point.y());
@@ -88,8 +91,10 @@ class Drawing {
 
   void marks(const Sketch& sketch) {
     // A small figure is shown at half the size.
-    const double scale = wide_ ? 1.0 : 1.7;
-    const double radius = (sketch.marks.size() > kManyMarks ? 2.6 : 4.2) * scale;
+    const double scale = wide_ && ratio() >= kNearlySquare ? 1.0 : 1.6;
+    const bool many = sketch.marks.size() > kManyMarks, very_many = sketch.marks.size() > kVeryMany;
+    const double radius = (very_many ? 1.7 : (many ? 2.8 : 4.2)) * scale;
+    if (many) svg_ += "<g class=\"many\">\n";
     for (const Mark& mark : sketch.marks) {
       if (!is_finite(mark.place)) continue;
       const Vector2 place = units(mark.place);
@@ -100,6 +105,7 @@ class Drawing {
                   ? std::string("/>\n")
                   : fmt::format("><title>{}</title></circle>\n", escaped(mark.title));
     }
+    if (many) svg_ += "</g>\n";
   }
 
   void faint(const Sketch& sketch) {
@@ -208,10 +214,11 @@ std::string figure_html(const FigureParts& parts) {
   if (parts.roads) drawing.faint(*parts.roads);
   drawing.strokes(*parts.sketch, parts.sketch->kind == "Path");
   drawing.marks(*parts.sketch);
+  const char* size = !parts.wide ? "" : (drawing.ratio() < kNearlySquare ? " wide half" : " wide");
   return fmt::format(
       "<figure class=\"map{}\"><div class=\"frame{}\" style=\"--ratio:{:.4f}\">{}{}{}</div>{}"
       "</figure>\n",
-      parts.wide ? " wide" : "", parts.sketch->points ? " points" : "", drawing.ratio(),
+      size, parts.sketch->points ? " points" : "", drawing.ratio(),
       drawing.svg(fmt::format("{}: {}", parts.name, parts.sketch->kind)), scale_html(*frame),
       parts.sketch->in_map ? north_html(*frame) : "", caption_html(parts));
 }

@@ -77,7 +77,8 @@ std::string gallery_html(const ReportData& data) {
     }
   }
   if (wide.empty() && small.empty()) return {};
-  std::string html = "<section id=\"pictures\"><h2>Pictures</h2>\n" + wide;
+  std::string html = "<section id=\"pictures\"><h2>Pictures</h2>\n";
+  if (!wide.empty()) html += fmt::format("<div class=\"results\">\n{}</div>\n", wide);
   if (!small.empty()) html += "<div class=\"gallery\">\n" + small + "</div>\n";
   return html + "</section>\n";
 }

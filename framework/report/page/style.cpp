@@ -41,7 +41,8 @@ font:12.5px/1.5 var(--mono);overflow-wrap:anywhere;white-space:pre-wrap}
 i.run{background:var(--run)}i.io{background:var(--io)}i.wait-in{background:var(--wait-in)}i.wait-out{background:var(--wait-out)}
 .key{width:22px;height:10px;overflow:visible}.key.dot{width:10px}
 figure{margin:0}
-.map.wide{--tall:780px;margin-bottom:40px}
+.results{display:flex;flex-wrap:wrap;gap:40px 28px;margin-bottom:44px}
+.map.wide{--tall:780px;flex:1 1 100%;min-width:0}.map.half{--tall:920px;flex-basis:min(100%,480px)}
 .gallery{--tall:420px;display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,480px),1fr));gap:36px 28px;align-items:end}
 .frame{position:relative;aspect-ratio:var(--ratio);width:min(100%,calc(var(--tall)*var(--ratio)));margin:0 auto;
 background:var(--card);box-shadow:0 0 0 1px var(--line),0 6px 24px var(--shade);overflow:hidden}
@@ -58,6 +59,7 @@ background:var(--card);box-shadow:0 0 0 1px var(--line),0 6px 24px var(--shade);
 .map circle{vector-effect:non-scaling-stroke;stroke:var(--casing);stroke-width:1.4;fill:var(--ink)}
 .map .junction{fill:var(--road)}.map .dead-end{fill:var(--casing);stroke:var(--road);stroke-width:2}
 .map .bend{fill:var(--road);stroke:none;r:2}
+.many circle{stroke-width:.7}.many .dead-end{stroke-width:1.1}
 .map .start{fill:var(--good);stroke-width:2.4}.map .goal{fill:var(--bad);stroke-width:2.4}
 .map .region{fill:var(--ink)}
 .scale{position:absolute;left:14px;bottom:12px;border:solid var(--ink);border-width:0 1.5px 1.5px;height:6px}
