@@ -52,22 +52,22 @@ FreeSpace make_free_space(const OccupancyGrid& grid, const OccupancyRule& rule) 
   const std::uint8_t unknown = rule.unknown_is_obstacle ? kObstacle : 0;
   std::fill_n(space.padded_row(-1), space.stride(), kObstacle);
   std::fill_n(space.padded_row(height), space.stride(), kObstacle);
-  std::size_t obstacles = 0;
+  bool any_free = false;
   for (std::int32_t row = 0; row < height; ++row) {
     const std::uint8_t* from =
         grid.cells.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
     std::uint8_t* to = space.padded_row(row);
     to[0] = to[width + 1] = kObstacle;
-    std::uint32_t count = 0;
+    std::uint8_t all = kObstacle;
     for (std::int32_t column = 0; column < width; ++column) {
       const std::uint8_t value = from[column];
       const std::uint8_t known = value >= least ? kObstacle : 0;
       to[column + 1] = value == OccupancyGrid::kUnknown ? unknown : known;
-      count += to[column + 1];
+      all &= to[column + 1];
     }
-    obstacles += count;
+    any_free = any_free || all != kObstacle;
   }
-  if (obstacles == grid.cells.size())
+  if (!any_free)
     throw Error(fmt::format(
         "the occupancy grid ({} x {} cells) has no free cell; check its thresholds, whether black "
         "and white are swapped (negate), and whether unknown cells should count as free",

@@ -9,7 +9,9 @@
 #include "plugins/topology/nearest_outline.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -34,52 +36,62 @@ class RowEnvelope {
         edges_(edges),
         reach_(static_cast<std::size_t>(edges.stride())),
         column_(static_cast<std::size_t>(edges.stride())),
-        begin_(static_cast<std::size_t>(edges.stride())) {}
+        begin_(static_cast<std::size_t>(edges.stride())),
+        height_(static_cast<std::size_t>(edges.stride())) {}
 
   void fill(std::int32_t row, const std::uint8_t* bits, const Reach* down, const Reach* up) {
     const CellIndex stride = edges_.stride();
     for (CellIndex i = 0; i < stride; ++i) reach_[i] = std::min(down[i], up[i]);
-    for (CellIndex i = 1; i + 1 < stride; ++i) {
-      if (bits[i] & kObstacle) continue;
-      CellIndex end = i + 1;
-      while (!(bits[end] & kObstacle)) ++end;
-      build(i - 1, end);
-      assign(row, i - 1, end, down);
-      i = end;
+    for (CellIndex begin = next(bits, 1, stride, 0); begin < stride;) {
+      const CellIndex end = next(bits, begin + 1, stride, kObstacle);
+      build(begin - 1, end);
+      assign(row, begin - 1, end, down);
+      begin = next(bits, end + 1, stride, 0);
     }
   }
 
  private:
-  Number squared_reach(CellIndex column) const {
-    return static_cast<Number>(reach_[static_cast<std::size_t>(column)]) *
-           static_cast<Number>(reach_[static_cast<std::size_t>(column)]);
+  /// The first cell from `i` on that is (kObstacle) or is not (0) an obstacle, or `end`.
+  static CellIndex next(const std::uint8_t* bits, CellIndex i, CellIndex end, std::uint8_t wanted) {
+    constexpr std::uint64_t kEight = 0x0101010101010101ULL * kObstacle;
+    for (; i + 8 <= end; i += 8) {
+      std::uint64_t cells = 0;
+      std::memcpy(&cells, bits + i, 8);
+      const std::uint64_t hits = (wanted ? cells : ~cells) & kEight;
+      if (hits) return i + std::countr_zero(hits) / 8;
+    }
+    while (i < end && (bits[i] & kObstacle) != wanted) ++i;
+    return std::min(i, end);
   }
 
   // Columns are counted from the obstacle before the run.
   void build(CellIndex before, CellIndex after) {
     count_ = 0;
-    column_[0] = 0;
-    begin_[0] = 0;
+    column_[0] = begin_[0] = height_[0] = 0;
     const Number last = after - before;
+    const Reach* reach = reach_.data() + before;
     for (Number column = 1; column <= last; ++column) {
-      const Number height = squared_reach(before + static_cast<CellIndex>(column));
-      while (true) {
-        const Number at = begin_[count_], top = column_[count_];
-        const Number top_height = squared_reach(before + static_cast<CellIndex>(top));
-        if ((at - top) * (at - top) + top_height <= (at - column) * (at - column) + height) {
-          const Number from =
-              1 + (column * column - top * top + height - top_height) / (2 * (column - top));
-          if (from < last) {
-            ++count_;
-            column_[count_] = column;
-            begin_[count_] = from;
-          }
-          break;
-        }
-        // The first parabola is an obstacle at its own column: it is never popped.
-        --count_;
-      }
+      const Number height = static_cast<Number>(reach[column]) * static_cast<Number>(reach[column]);
+      std::size_t top = count_;
+      // The first parabola is an obstacle at its own column: it is never left.
+      while (beats(column, height, top)) --top;
+      const Number apart = column - column_[top];
+      const Number rise = apart * (column + column_[top]) + height - height_[top];
+      // Most often the last column is the neighbour, which saves the slow division.
+      const Number from = 1 + (apart == 1 ? rise / 2 : rise / (2 * apart));
+      count_ = top;
+      if (from >= last) continue;
+      ++count_;
+      column_[count_] = column;
+      begin_[count_] = from;
+      height_[count_] = height;
     }
+  }
+
+  /// Whether a column's parabola is lower already where that of the piece begins.
+  bool beats(Number column, Number height, std::size_t piece) const {
+    const Number own = begin_[piece] - column_[piece], other = begin_[piece] - column;
+    return own * own + height_[piece] > other * other + height;
   }
 
   void assign(std::int32_t row, CellIndex before, CellIndex after, const Reach* down) {
@@ -106,7 +118,7 @@ class RowEnvelope {
   const Outlines& outlines_;
   EdgeGrid& edges_;
   std::vector<Reach> reach_;
-  std::vector<Number> column_, begin_;
+  std::vector<Number> column_, begin_, height_;  ///< by piece of the envelope
   std::size_t count_ = 0;
 };
 
