@@ -27,7 +27,9 @@ class PieceConnector {
     join_outlines();
     TracedLines traced = trace_lines(space_, outlines_, edges_, corners_, {});
     const std::vector<std::int32_t> torn = torn_pieces(traced);
-    if (!torn.empty())
+    if (!torn.empty()) drop_fragments(traced);
+    // A new trace brings fragments back, so they are linked as well.
+    if (!torn_pieces(traced).empty())
       traced = trace_lines(space_, outlines_, edges_, corners_, links_within(torn));
     add_lone_nodes(traced);
     return std::move(traced.network);
@@ -70,12 +72,59 @@ class PieceConnector {
     return outlines_.of_edge[static_cast<std::size_t>(sides[static_cast<std::size_t>(side)])];
   }
 
+  /// Where sides are about as long as the bound, the raster lets lines flicker: bits of line
+  /// shorter than it that end on both sides come to lie apart before a branch's tip. They are left
+  /// out.
+  void drop_fragments(TracedLines& traced) {
+    LineNetwork& network = traced.network;
+    DisjointSets connected(network.nodes.size());
+    struct Size {
+      std::size_t points = 0;
+      bool cyclic = false;
+    };
+    std::vector<Size> size(network.nodes.size());
+    for (const Line& line : network.lines)
+      if (!connected.join(line.from, line.to))
+        size[static_cast<std::size_t>(connected.find(line.from))].cyclic = true;
+    std::vector<Size> total(network.nodes.size());
+    for (std::size_t node = 0; node < size.size(); ++node)
+      if (size[node].cyclic) total[group_at(connected, node)].cyclic = true;
+    for (const Line& line : network.lines)
+      total[group_at(connected, static_cast<std::size_t>(line.from))].points += line.points.size();
+    std::vector<std::int32_t> largest(outlines_.list.size(), -1);
+    for (std::size_t node = 0; node < total.size(); ++node) {
+      if (group_at(connected, node) != node) continue;
+      auto& best = largest[piece_of(traced.outline[node])];
+      if (best < 0 || total[node].points > total[static_cast<std::size_t>(best)].points)
+        best = static_cast<std::int32_t>(node);
+    }
+    const auto dropped = [&](std::size_t node) {
+      const std::size_t group = group_at(connected, node);
+      const bool keep = static_cast<std::size_t>(largest[piece_of(traced.outline[group])]) == group;
+      return !keep && !total[group].cyclic &&
+             total[group].points <= static_cast<std::size_t>(outlines_.gap);
+    };
+    std::vector<std::size_t> nodes;
+    for (std::size_t node = 0; node < total.size(); ++node)
+      if (dropped(node)) nodes.push_back(node);
+    for (Line& line : network.lines)
+      if (dropped(static_cast<std::size_t>(line.from))) line.points.clear();
+    for (const std::size_t node : nodes) traced.outline[node] = -1;
+  }
+  static std::size_t group_at(DisjointSets& connected, std::size_t node) {
+    return static_cast<std::size_t>(connected.find(static_cast<std::int32_t>(node)));
+  }
+  std::size_t piece_of(std::int32_t outline) {
+    return static_cast<std::size_t>(pieces_.find(outline));
+  }
+
   std::vector<std::int32_t> torn_pieces(const TracedLines& traced) {
     const LineNetwork& network = traced.network;
     DisjointSets connected(network.nodes.size());
     for (const Line& line : network.lines) connected.join(line.from, line.to);
     std::vector<std::int32_t> first(outlines_.list.size(), -1), torn;
     for (std::size_t node = 0; node < network.nodes.size(); ++node) {
+      if (traced.outline[node] < 0) continue;
       const std::int32_t piece = pieces_.find(traced.outline[node]);
       const std::int32_t group = connected.find(static_cast<std::int32_t>(node));
       auto& known = first[static_cast<std::size_t>(piece)];
@@ -200,7 +249,7 @@ class PieceConnector {
   void add_lone_nodes(TracedLines& traced) {
     std::vector<bool> seen(outlines_.list.size(), false);
     for (const std::int32_t outline : traced.outline)
-      seen[static_cast<std::size_t>(pieces_.find(outline))] = true;
+      if (outline >= 0) seen[static_cast<std::size_t>(pieces_.find(outline))] = true;
     for (std::size_t outline = 0; outline < outlines_.list.size(); ++outline) {
       if (seen[static_cast<std::size_t>(pieces_.find(static_cast<std::int32_t>(outline)))])
         continue;
