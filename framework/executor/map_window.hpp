@@ -26,9 +26,10 @@ struct MapItem {
 /// The items of a map that are running or wait to be written, in order: a ring of places.
 ///
 /// The process fills the newest place and submits it; runners on oneTBB workers claim places oldest
-/// first, and there are never more runners than workers. A runner keeps claiming while there is
-/// work, so that a small item costs an atomic increment rather than a task; after a while it queues
-/// up again behind the other tasks of the pool. When the oldest place is done, the process's
+/// first, and there are never more runners than workers, nor more than the work that waits is worth
+/// waking. A runner keeps claiming while there is work, so that a small item costs an atomic
+/// increment rather than a task; after a while it queues up again behind the other tasks of the
+/// pool. When the oldest place is done, the process's
 /// doorbell rings. Runners may outlive the process, so they share the window and never look at
 /// anything else of it once their item is done.
 class MapWindow : public std::enable_shared_from_this<MapWindow>, public PoolTask {
@@ -65,6 +66,10 @@ class MapWindow : public std::enable_shared_from_this<MapWindow>, public PoolTas
   };
   /// The next place to run, or none.
   bool claim(std::uint64_t& place);
+  /// The same; looks again for a moment if there is none yet.
+  bool claim_soon(std::uint64_t& place);
+  /// How many runners the places that wait deserve.
+  int runners_wanted() const;
   void call_runner();
 
   WorkerPool& pool_;
@@ -74,6 +79,7 @@ class MapWindow : public std::enable_shared_from_this<MapWindow>, public PoolTas
   alignas(64) std::atomic<std::uint64_t> submitted_{0};
   alignas(64) std::atomic<std::uint64_t> claimed_{0};
   std::atomic<int> runners_{0};
+  std::atomic<std::int64_t> usual_work_;  ///< of an item, ns
   alignas(64) std::atomic<std::uint64_t> oldest_{0};
 };
 
