@@ -97,6 +97,8 @@ bool OutputEnd::abandoned() const {
                                  [](const Channel* channel) { return channel->abandoned(); });
 }
 
+std::string OutputEnd::last_text() const { return item_text(*last_index_, last_stamp_); }
+
 void OutputEnd::close() {
   for (Channel* channel : channels_) channel->close();
 }

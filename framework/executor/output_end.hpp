@@ -37,6 +37,8 @@ class OutputEnd final : public OutputPort {
   bool abandoned() const;
   /// Whether anything was put.
   bool given() const { return last_index_.has_value(); }
+  /// The last item, for messages. Of an output that was given one.
+  std::string last_text() const;
   /// There will be no more items.
   void close();
   std::uint64_t items() const { return items_.load(std::memory_order_relaxed); }

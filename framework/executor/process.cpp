@@ -40,10 +40,10 @@ void Process::live() {
 
 void Process::settle(const Outcome& outcome) {
   if (outcome.kind == Outcome::Kind::kFailed) {
-    fail(item_text(), outcome.sentence);
+    fail(place_text(), outcome.sentence);
   } else if (outcome.kind == Outcome::Kind::kCancelled) {
     if (!stopping() && !gave_up_)
-      fail(item_text(), "it gave up as if the run had been cancelled, which it was not");
+      fail(place_text(), "it gave up as if the run had been cancelled, which it was not");
   } else {
     for (const auto& output : outputs_) {
       if (!output->stream() && output->wanted() && !output->given())
@@ -56,9 +56,8 @@ void Process::settle(const Outcome& outcome) {
 }
 
 void Process::fail(const std::string& where, const std::string& what) {
-  state_.fail(name_, where.empty()
-                         ? fmt::format("stage \"{}\" failed: {}", name_, what)
-                         : fmt::format("stage \"{}\" failed at {}: {}", name_, where, what));
+  state_.fail(name_, where.empty() ? fmt::format("stage \"{}\" failed: {}", name_, what)
+                                   : fmt::format("stage \"{}\" failed {}: {}", name_, where, what));
 }
 
 void Process::wait_to_read(Channel& channel) {
@@ -115,6 +114,14 @@ void Process::set_item(const AnyItem& item) {
 std::string Process::item_text() const {
   if (!has_item_.load()) return {};
   return stope::item_text(item_index_.load(), item_stamp_.load());
+}
+
+std::string Process::place_text() const {
+  if (const std::string item = item_text(); !item.empty()) return "at " + item;
+  for (const auto& output : outputs_) {
+    if (output->stream() && output->given()) return "after " + output->last_text();
+  }
+  return {};
 }
 
 std::uint64_t Process::items_read() const {

@@ -72,7 +72,7 @@ class Process {
   /// Of its own thread, when its life is over: lets go of payloads it still holds.
   virtual void release() {}
 
-  /// Stops the run with a sentence that names the stage and `where`, such as `item 3 (1.200 s)`.
+  /// Stops the run with a sentence that names the stage and `where`, such as `at item 3 (1.200 s)`.
   void fail(const std::string& where, const std::string& what);
   /// Wakes the writers of its inputs that wait for half empty channels. Before any sleep.
   void wake_writers();
@@ -81,6 +81,8 @@ class Process {
  private:
   void live();
   void settle(const Outcome& outcome);
+  /// Where it is, for its errors: at the item it read, or after the one it wrote.
+  std::string place_text() const;
 
   std::string name_;
   RunState& state_;
