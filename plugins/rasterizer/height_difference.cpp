@@ -54,14 +54,14 @@ class HeightDifference final : public Map<OccupancyGrid(PointCloud, Optional<Tra
   struct Params {
     double resolution = 0.5;
     double obstacle_height = 0.5;
-    double max_hole = 25;
+    double max_hole = 50;
     double driven_width = 2.5;
     double passage = 4;
     int min_points = 2;
     std::optional<double> overhang;
     double ground_radius = 3;
     double ground_quantile = 0.25;
-    double close_gaps = 1.5;
+    double close_gaps = 2.5;
   } params;
 
   static void describe(About<HeightDifference>& about) {

@@ -170,6 +170,27 @@ TEST(HeightDifference, WithATrajectoryOnlyWhatCanBeReachedFromItIsKept) {
   EXPECT_TRUE(open_above(8));
 }
 
+TEST(HeightDifference, WhereTheVehicleDroveTheGroundIsFree) {
+  // Another truck followed and left its points all along the route.
+  PointCloud cloud = cloud_of([](double, double) { return 0.0; });
+  Trajectory trajectory;
+  trajectory.poses.resize(2);
+  trajectory.poses[0].T_map_lidar.translation = Vector3(5, 15, 2);
+  trajectory.poses[1].T_map_lidar.translation = Vector3(55, 15, 2);
+  trajectory.poses[1].stamp = 1;
+  for (double x = 5; x < 55; x += 0.2) {
+    for (double y = 13; y < 17; y += 0.2)
+      cloud.points.push_back({static_cast<float>(x), static_cast<float>(y), 1.5F});
+  }
+  EXPECT_EQ(at(rasterize(cloud), 30.25, 15.25), OccupancyGrid::kOccupied);
+  const auto grid = rasterizer(cloud)
+                        .input("trajectory", trajectory)
+                        .set("driven_width", 3.0)
+                        .apply<OccupancyGrid>();
+  expect_all(grid, 6, 14, 54, 16, OccupancyGrid::kFree, "route");
+  EXPECT_EQ(at(grid, 30.25, 13.25), OccupancyGrid::kOccupied);
+}
+
 TEST(HeightDifference, ATrajectoryElsewhereIsReportedAndLosesNothing) {
   Trajectory trajectory;
   trajectory.poses.resize(1);
