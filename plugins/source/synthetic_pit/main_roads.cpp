@@ -139,10 +139,11 @@ Street floor_loop(const PitShape& shape, const PitParameters& parameters) {
   const double radius = std::max(least, std::min(0.62 * floor, floor - 40));
   if (floor < least + 0.5 * parameters.road_width + 8)
     throw Error(fmt::format(
-        "the pit's floor would be {:.0f} m from its centre to the wall, too small for a road "
-        "{:.0f} "
-        "m wide to turn round on: use a larger size, fewer or lower benches or a narrower road",
-        floor, parameters.road_width));
+        "{} benches of {:.0f} m leave {:.0f} m from the middle of the pit's floor to its wall, but "
+        "a loop of {:.0f} m wide roads needs {:.0f} m: use a larger size, fewer or lower benches "
+        "or a narrower road",
+        parameters.benches, parameters.bench_height, std::max(0.0, floor), parameters.road_width,
+        least + 0.5 * parameters.road_width + 8));
   Street street = make_street(around(shape, radius - narrowest), parameters.road_width, true);
   std::fill(street.elevation.begin(), street.elevation.end(), -shape.depth());
   return street;
