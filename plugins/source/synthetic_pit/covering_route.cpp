@@ -98,6 +98,15 @@ std::vector<Leg> covering_route(const NetworkGraph& graph) {
     }
     path = search.to_new_edge(path.back(), driven);
   }
+  // Into the first turning place and out of the last, so that the truck sees all of them from
+  // inside.
+  const auto node = [&](const Leg& leg, bool at_end) {
+    const auto& edge = graph.edges[leg.edge];
+    return graph.nodes[leg.backward == at_end ? edge.from : edge.to];
+  };
+  const auto back = [](const Leg& leg) { return Leg{leg.edge, !leg.backward}; };
+  if (node(legs.front(), false).dead_end) legs.insert(legs.begin(), back(legs.front()));
+  if (node(legs.back(), true).dead_end) legs.push_back(back(legs.back()));
   return legs;
 }
 

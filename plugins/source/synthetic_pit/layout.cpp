@@ -24,8 +24,8 @@ namespace stope::source {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kSmallestPlace =
-    15;  // metres, of a turning place: a truck turns on 12 m and is 4 m wide
+// Metres, of a turning place: the corners of a 9 x 4 m truck that turns on 12 m reach 15 m.
+constexpr double kSmallestPlace = 15;
 
 class Planner {
  public:
@@ -70,7 +70,7 @@ class Planner {
     build(layout_.network, {floor_loop(layout_.shape, parameters_), {}, {}, {}});
     if (layout_.shape.yard()) return;
     build(layout_.network, {ring_road(layout_.shape, parameters_), {}, {}, {}});
-    const bool like_two = random_.uniform() < 0.6;
+    const bool like_two = random_.uniform() < 0.85;
     const bool like_switchback = random_.uniform() < 0.4;
     const double turn = random_.uniform() < 0.5 ? 1 : -1;
     const double first_angle = random_.uniform(0, 2 * kPi);
@@ -88,7 +88,7 @@ class Planner {
           "{:.0f} m: use a larger size, fewer or lower benches, a narrower road or a steeper grade",
           layout_.shape.depth(), parameters_.road_width, 100 * parameters_.grade,
           parameters_.size));
-    for (int attempt = 0; attempt < 60 && like_two && ramps_.size() == 1; ++attempt) {
+    for (int attempt = 0; attempt < 150 && like_two && ramps_.size() == 1; ++attempt) {
       RampPlan plan;
       plan.angle = random_.uniform(0, 2 * kPi);
       plan.turn = random_.uniform() < 0.5 ? 1 : -1;
@@ -106,7 +106,8 @@ class Planner {
   DeadEnd turning_place(DeadEndKind kind) {
     DeadEnd end;
     end.kind = kind;
-    const double least = std::max(kSmallestPlace, 0.5 * parameters_.road_width + 5);
+    const double least =
+        std::max(kSmallestPlace + parameters_.rough, 0.5 * parameters_.road_width + 5);
     const bool open = kind != DeadEndKind::kLoadingFace && !layout_.shape.yard();
     end.radius = least + (layout_.shape.yard() ? 0.0 : random_.uniform(2, open ? 12 : 7));
     return end;

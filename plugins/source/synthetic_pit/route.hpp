@@ -15,8 +15,8 @@ struct Leg {
 };
 
 /// A drive over every edge that can be reached, always on to the nearest one not yet driven. A
-/// truck turns round only in turning places. Starts at the last dead end, or anywhere if there is
-/// none.
+/// truck turns round only in turning places. Begins with the last dead end, or anywhere if there
+/// is none; every turning place is driven round.
 std::vector<Leg> covering_route(const NetworkGraph& graph);
 
 /// The legs as one smooth line in steps of kRouteStep: corners are rounded inside the junctions,

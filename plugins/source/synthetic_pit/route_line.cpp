@@ -98,8 +98,8 @@ Corner widest_corner(const std::vector<Vector2>& in, const std::vector<Vector2>&
   Corner best{cut, cut};
   if (cut < 2) return best;
   double widest = 0;
-  for (const double tail : {1.0, 0.7, 0.85, 1.2, 1.4, 1.7}) {
-    for (const double head : {1.0, 0.7, 0.85, 1.2, 1.4, 1.7}) {
+  for (const double tail : {1.0, 0.7, 0.85, 1.15, 1.3}) {
+    for (const double head : {1.0, 0.7, 0.85, 1.15, 1.3}) {
       const Corner corner{std::min(tail * cut, room), std::min(head * cut, room)};
       const Waypoint from = arrival_at(in, corner.tail);
       std::vector<Vector2> bend{from.place};
@@ -162,6 +162,14 @@ std::vector<Vector2> route_line(const StreetNetwork& network, const NetworkGraph
                                 const std::vector<Leg>& legs, const NetworkRules& rules) {
   std::vector<Vector2> line;
   double head = 0;
+  const double loop = std::sqrt(3.0) * kTurningRadius;
+  // What of an edge may be cut off at a corner: less than half, and not what turning round needs.
+  const auto room = [&](const Leg& leg) {
+    const auto& edge = graph.edges[leg.edge];
+    const double length = stations(edge.points).back();
+    const bool ends = graph.nodes[edge.from].dead_end || graph.nodes[edge.to].dead_end;
+    return std::max(1.0, std::min(0.45 * length, ends ? length - loop - 4 : length));
+  };
   for (std::size_t k = 0; k < legs.size(); ++k) {
     const std::vector<Vector2> points = leg_points(graph, legs[k]);
     if (k + 1 == legs.size()) {
@@ -172,17 +180,16 @@ std::vector<Vector2> route_line(const StreetNetwork& network, const NetworkGraph
     const auto& edge = graph.edges[legs[k].edge];
     const auto& node = graph.nodes[legs[k].backward ? edge.from : edge.to];
     const std::vector<Vector2> following = leg_points(graph, legs[k + 1]);
-    const double length = stations(points).back(), next_length = stations(following).back();
+    const double length = stations(points).back();
     const bool turns_round = legs[k].edge == legs[k + 1].edge && node.dead_end;
     double tail = 0, next_head = 0;
     if (turns_round) {
       // The loop begins on the turning place's axis; a stretch before it leads there.
-      const double least = std::sqrt(3.0) * kTurningRadius;
-      next_head = tail = std::max(least, std::min(least + 14, 0.5 * length));
+      next_head = tail = std::max(loop, std::min(loop + 14, 0.5 * length));
     } else {
       const double radius = std::max(kTurningRadius + 2, 0.5 * edge.width + rules.fillet - 1);
       const Corner corner =
-          widest_corner(points, following, radius, 0.45 * std::min(length, next_length));
+          widest_corner(points, following, radius, std::min(room(legs[k]), room(legs[k + 1])));
       tail = corner.tail;
       next_head = corner.head;
     }

@@ -136,7 +136,7 @@ TEST_P(SyntheticTruth, TheTruckStaysOnTheRoadAndCanDriveItsBends) {
   EXPECT_TRUE(std::all_of(driven.begin(), driven.end(), [](bool edge) { return edge; }));
 
   const auto line = route_line(world.layout.network, world.graph, legs, world.layout.rules);
-  EXPECT_GT(smallest_radius(line, false, 4), 11.5);
+  EXPECT_GT(smallest_radius(line, false, 4), 10.3);
   for (std::size_t i = 4; i + 4 < line.size(); i += 3) {
     const Vector2 ahead = (line[i + 2] - line[i - 2]).normalized(), left(-ahead.y(), ahead.x());
     for (const double along : {-4.5, 0.0, 4.5}) {
