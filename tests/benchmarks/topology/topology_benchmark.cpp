@@ -1,6 +1,6 @@
 // Road graphs of large grids on one core, beside OpenCV on the same grids in the same run.
 //
-//   taskset -c 0 build/bin/topology_benchmark [--whole] [--repeats N]
+//   taskset -c 0 build/bin/topology_benchmark [--whole] [--no-peers] [--repeats N]
 //
 // Grids: the 4096 x 4096 window of the real mine at 0.1 m that has the most free cells among those
 // at multiples of 512 cells, and a synthetic one of 4096 x 4096 cells, 60 % of them free: smooth
