@@ -9,28 +9,34 @@ namespace {
 
 /// The cell of a frame that holds a point, also beyond the frame's edges.
 Cell cell_of(const GridFrame& frame, const Vector2& point) {
-  constexpr double kFar = 1e9;
+  constexpr double kFar = 5e8;
   const Vector2 at = frame.to_grid(point.x(), point.y());
   return {static_cast<std::int32_t>(std::floor(std::clamp(at.x(), -kFar, kFar))),
           static_cast<std::int32_t>(std::floor(std::clamp(at.y(), -kFar, kFar)))};
 }
 
 /// Visits the cells of the frame in square rings round `centre`, nearest ring first, while
-/// `wanted(ring)` holds.
+/// `wanted(ring)` holds; rings that lie wholly outside cost nothing.
 template <class Wanted, class Visit>
 void visit_rings(const GridFrame& frame, Cell centre, std::int32_t most, const Wanted& wanted,
                  const Visit& visit) {
-  const auto visit_row = [&](std::int32_t row, std::int32_t ring, std::int32_t step) {
-    if (row < 0 || row >= frame.height) return;
-    for (std::int32_t dx = -ring; dx <= ring; dx += step) {
-      const Cell cell{centre.column + dx, row};
-      if (frame.contains(cell)) visit(cell);
-    }
-  };
-  for (std::int32_t ring = 0; ring <= most && wanted(ring); ++ring) {
-    for (std::int32_t dy = -ring; dy <= ring; ++dy) {
-      const bool whole_row = dy == -ring || dy == ring;
-      visit_row(centre.row + dy, ring, whole_row || ring == 0 ? 1 : 2 * ring);
+  const auto outermost = std::max({std::abs(static_cast<std::int64_t>(centre.column)),
+                                   std::abs(static_cast<std::int64_t>(centre.row)),
+                                   std::abs(static_cast<std::int64_t>(frame.width) - centre.column),
+                                   std::abs(static_cast<std::int64_t>(frame.height) - centre.row)});
+  const auto last = static_cast<std::int32_t>(std::min<std::int64_t>(most, outermost));
+  for (std::int32_t ring = 0; ring <= last && wanted(ring); ++ring) {
+    const std::int32_t bottom = centre.row - ring, top = centre.row + ring;
+    const std::int32_t left = centre.column - ring, right = centre.column + ring;
+    for (std::int32_t row = std::max(0, bottom); row <= std::min(frame.height - 1, top); ++row) {
+      if (row == bottom || row == top) {
+        for (std::int32_t column = std::max(0, left); column <= std::min(frame.width - 1, right);
+             ++column)
+          visit(Cell{column, row});
+      } else {
+        if (left >= 0 && left < frame.width) visit(Cell{left, row});
+        if (right >= 0 && right < frame.width) visit(Cell{right, row});
+      }
     }
   }
 }
@@ -72,7 +78,7 @@ Cell DrivableGrid::nearest_free(const Vector2& point, double most) const {
   double best = most;
   visit_rings(
       grid_.frame, cell_of(grid_.frame, point),
-      static_cast<std::int32_t>(std::min(most / resolution, 1e6)) + 1,
+      static_cast<std::int32_t>(std::min(most / resolution, 1e8)) + 1,
       [&](std::int32_t ring) { return (ring - 1) * resolution <= best; },
       [&](Cell cell) {
         if (!free(cell)) return;

@@ -128,6 +128,20 @@ TEST(AStar, NamesTheNearestReachablePlace) {
             "the goal is not a place: its coordinates must be finite");
 }
 
+TEST(AStar, AVastSnapDistanceCostsNoMoreThanTheMap) {
+  OccupancyGrid grid = open_ground();
+  fill(grid, 0, 15, 60, 50, OccupancyGrid::kOccupied);
+  const auto sentence = error_of([&] {
+    planner(bent_road(), {20, 40}, {50, 10})
+        .input("grid", grid)
+        .set("snap_distance", 1e9)
+        .apply<Path>();
+  });
+  EXPECT_NE(sentence.find("lies in an obstacle; the nearest reachable place is (19.75, 14.75)"),
+            std::string::npos)
+      << sentence;
+}
+
 TEST(AStar, NamesARoadWhenNoFreeGroundNearbyLeadsToOne) {
   OccupancyGrid grid = open_ground();
   fill(grid, 10, 20, 20, 30, OccupancyGrid::kOccupied);
