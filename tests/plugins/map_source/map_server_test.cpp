@@ -30,7 +30,7 @@ std::string error_of(const std::filesystem::path& yaml) {
 
 TEST(MapServer, TheTopRowOfThePictureIsTheHighestOfTheGrid) {
   const MapFolder folder;
-  folder.write("a.pgm", std::string("P5\n# a comment\n3 2\n255\n\xfe\xfe\x00\xcd\x00\xfe", 31));
+  folder.write("a.pgm", std::string("P5\n# a comment\n3 2\n255\n\xfe\xfe\x00\xcd\x00\xfe", 29));
   const OccupancyGrid grid = read(folder.write_yaml("a.pgm"));
   EXPECT_EQ(grid.frame.width, 3);
   EXPECT_EQ(grid.frame.height, 2);
