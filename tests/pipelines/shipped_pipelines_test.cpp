@@ -54,7 +54,8 @@ std::vector<Swap> swaps(const Shipped& pipeline) {
   for (const auto& stage : checked.at("stages")) {
     if (stage.at("name").get<std::string>().starts_with("outputs/")) continue;
     const auto inspected = stope({"inspect", stage.at("use").get<std::string>(), "--json"});
-    for (const auto& member : nlohmann::json::parse(inspected.out).at("interchangeable")) {
+    const nlohmann::json declared = nlohmann::json::parse(inspected.out);
+    for (const auto& member : declared.at("interchangeable")) {
       list.push_back({stage.at("name"), member});
     }
   }
@@ -64,7 +65,9 @@ std::vector<Swap> swaps(const Shipped& pipeline) {
 TEST(ShippedPipelines, EveryInterchangeableMemberFits) {
   const TemporaryFolder folder;
   for (const Shipped& pipeline : pipelines(folder)) {
-    for (const Swap& swap : swaps(pipeline)) {
+    const std::vector<Swap> list = swaps(pipeline);
+    EXPECT_FALSE(list.empty()) << pipeline.file;
+    for (const Swap& swap : list) {
       SCOPED_TRACE(pipeline.file + ": " + swap.stage + " -> " + swap.member);
       check(pipeline, swap.arguments());
     }
