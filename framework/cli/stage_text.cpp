@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
+
 namespace stope {
 namespace {
 
@@ -68,9 +70,12 @@ std::string value_text(const ParameterValue& value) {
 std::string limits_text(const ParameterInfo& parameter) {
   const Limits& limits = parameter.limits;
   std::vector<std::string> parts;
-  if (limits.least)
+  // That a number must fit the machine's integers is no news to anyone.
+  const bool least_is_news = limits.least && *limits.least > std::numeric_limits<int>::min();
+  const bool most_is_news = limits.most && *limits.most < std::numeric_limits<int>::max();
+  if (least_is_news)
     parts.push_back(fmt::format("{} {}", limits.least_excluded ? ">" : ">=", *limits.least));
-  if (limits.most)
+  if (most_is_news)
     parts.push_back(fmt::format("{} {}", limits.most_excluded ? "<" : "<=", *limits.most));
   if (!limits.choices.empty())
     parts.push_back(fmt::format("one of {}", fmt::join(limits.choices, ", ")));

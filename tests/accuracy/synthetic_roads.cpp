@@ -1,63 +1,74 @@
 #include "synthetic_roads.hpp"
 
-#include <memory>
-
-#include "stope/stope.hpp"
-#include "stope/testing/memory_context.hpp"
-#include "stope/testing/memory_ports.hpp"
+#include "stope/testing/stage_harness.hpp"
 
 extern "C" const stope::StageEntry* stope_stage_SyntheticPit();
+extern "C" const stope::StageEntry* stope_stage_PointCloud();
+extern "C" const stope::StageEntry* stope_stage_HeightDifference();
+extern "C" const stope::StageEntry* stope_stage_TrajectoryDilation();
+extern "C" const stope::StageEntry* stope_stage_Maximum();
 extern "C" const stope::StageEntry* stope_stage_Voronoi();
 extern "C" const stope::StageEntry* stope_stage_Watershed();
 
 namespace stope::testing {
 namespace {
 
-std::unique_ptr<StageInstance> make(const StageEntry& entry) {
-  std::unique_ptr<StageInstance> instance;
-  if (const Outcome made = entry.create(instance); !made) throw Error(made.sentence);
-  return instance;
-}
-
-std::size_t output_place(const StageInfo& info, std::string_view name) {
-  for (std::size_t i = 0; i < info.outputs.size(); ++i) {
-    if (info.outputs[i].name == name) return i;
-  }
-  throw Error("there is no output " + std::string(name));
-}
-
-void set(StageInstance& instance, std::string_view name, const ParameterValue& value) {
-  const auto& parameters = instance.info().parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name == name) instance.set_parameter(i, value);
-  }
+OccupancyGrid mapped_grid(MemoryInput<LidarScan>& scans, const Trajectory& trajectory) {
+  MemoryInput<Trajectory> poses;
+  poses.add(0, trajectory);
+  MemoryOutput<PointCloud> cloud;
+  StageHarness(stope_stage_PointCloud())
+      .connect_input("scans", scans)
+      .connect_input("trajectory", poses)
+      .connect_output("cloud", cloud)
+      .run();
+  const auto live = StageHarness(stope_stage_HeightDifference())
+                        .input("cloud", *cloud.items.at(0).value)
+                        .input("trajectory", trajectory)
+                        .apply<OccupancyGrid>();
+  const auto prior = StageHarness(stope_stage_TrajectoryDilation())
+                         .set("width", 16.0)
+                         .input("trajectory", trajectory)
+                         .apply<OccupancyGrid>();
+  return StageHarness(stope_stage_Maximum())
+      .input("prior", prior)
+      .input("live", live)
+      .apply<OccupancyGrid>();
 }
 
 }  // namespace
 
 SyntheticRoads synthetic_roads(double size, std::uint64_t seed) {
-  const auto pit = make(*stope_stage_SyntheticPit());
-  set(*pit, "size", size);
+  StageHarness pit(stope_stage_SyntheticPit());
+  pit.context().reseed(seed);
   MemoryOutput<OccupancyGrid> grid;
   MemoryOutput<RoadGraph> roads;
-  pit->connect_output(output_place(pit->info(), "truth_grid"), &grid);
-  pit->connect_output(output_place(pit->info(), "truth_roads"), &roads);
-  MemoryContext context(seed);
-  if (const Outcome outcome = pit->run(context); !outcome) throw Error(outcome.sentence);
+  pit.set("size", size).connect_output("truth_grid", grid).connect_output("truth_roads", roads);
+  pit.run();
   return {*grid.items.at(0).value, *roads.items.at(0).value};
 }
 
+SyntheticRoads mapped_roads(std::uint64_t seed) {
+  StageHarness pit(stope_stage_SyntheticPit());
+  pit.context().reseed(seed);
+  MemoryOutput<LidarScan> scans;
+  MemoryOutput<Trajectory> trajectory;
+  MemoryOutput<RoadGraph> roads;
+  pit.connect_output("scans", scans)
+      .connect_output("trajectory", trajectory)
+      .connect_output("truth_roads", roads);
+  pit.run();
+  MemoryInput<LidarScan> recorded;
+  for (const auto& scan : scans.items) recorded.add(scan.stamp, *scan.value);
+  scans.items.clear();
+  return {mapped_grid(recorded, *trajectory.items.at(0).value), *roads.items.at(0).value};
+}
+
 RoadGraph extract_roads(const OccupancyGrid& grid, Extractor extractor) {
-  const auto stage =
-      make(extractor == Extractor::kVoronoi ? *stope_stage_Voronoi() : *stope_stage_Watershed());
-  MemoryContext context;
-  const AnyItem input{
-      0, 0,
-      std::make_shared<MemoryPayload<OccupancyGrid>>(std::make_shared<const OccupancyGrid>(grid))};
-  std::shared_ptr<const void> output;
-  if (const Outcome outcome = stage->apply(std::span(&input, 1), context, output); !outcome)
-    throw Error(outcome.sentence);
-  return *static_cast<const RoadGraph*>(output.get());
+  return StageHarness(extractor == Extractor::kVoronoi ? stope_stage_Voronoi()
+                                                       : stope_stage_Watershed())
+      .input("grid", grid)
+      .apply<RoadGraph>();
 }
 
 }  // namespace stope::testing

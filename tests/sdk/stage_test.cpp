@@ -59,6 +59,13 @@ TEST(Stage, DeclaresItselfWithoutBeingMade) {
   EXPECT_TRUE(info.parameters[1].optional);
 }
 
+TEST(Stage, AnIntegerParameterAcceptsWhatItsMemberHolds) {
+  StageInfo info;
+  ASSERT_TRUE(stage_entry<Thicken>("test/thicken").describe(info));
+  EXPECT_EQ(info.parameters[1].limits.least, -2147483648.0);
+  EXPECT_EQ(info.parameters[1].limits.most, 2147483647.0);
+}
+
 TEST(Stage, AMapIsAppliedThroughItsInstance) {
   InstanceOf<Thicken> instance("test/thicken");
   ASSERT_TRUE(instance.set_parameter(0, 3.5));

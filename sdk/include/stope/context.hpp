@@ -13,7 +13,7 @@ namespace stope {
 enum class LogLevel : int { kDebug, kInfo, kWarning };
 
 /// What the framework offers a running stage. Every method may be called from any thread of the
-/// stage.
+/// stage, and the context lives as long as the run: a lazy payload's loader may use it later.
 class STOPE_API Context {
  public:
   virtual ~Context() = default;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -163,8 +164,12 @@ struct ParameterTraits {
   static Limits implied_limits() {
     if constexpr (traits::IsArray<T>::value) {
       return count(std::tuple_size_v<T>, std::tuple_size_v<T>);
-    } else if constexpr (std::is_integral_v<T> && std::is_unsigned_v<T> &&
-                         !std::is_same_v<T, bool>) {
+    } else if constexpr (std::is_same_v<T, bool>) {
+      return {};
+    } else if constexpr (std::is_integral_v<T> && sizeof(T) < sizeof(std::int64_t)) {
+      // What does not fit the member is refused by the check, never cut off.
+      return between(std::numeric_limits<T>::min(), std::numeric_limits<T>::max());
+    } else if constexpr (std::is_unsigned_v<T>) {
       return at_least(0);
     } else {
       return {};

@@ -27,6 +27,7 @@ class MemoryContext final : public Context {
   }
   void progress(double) override {}
   std::uint64_t seed() const override { return seed_; }
+  void reseed(std::uint64_t seed) { seed_ = seed; }
   bool cancelled() const override { return cancel; }
   int threads() const override { return 2; }
   std::filesystem::path temporary_folder() override {
