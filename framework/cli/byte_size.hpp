@@ -7,6 +7,9 @@
 
 namespace stope {
 
+/// The least a run may be given.
+inline constexpr std::size_t kLeastMemory = std::size_t{64} << 20;
+
 /// Bytes of a text such as `2GiB`, `512 MiB`, `1.5GB` or `1000000`; none if it is not a size.
 std::optional<std::size_t> parse_byte_size(std::string_view text);
 

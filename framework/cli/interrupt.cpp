@@ -5,6 +5,8 @@
 namespace stope {
 namespace {
 
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
 // A signal handler can reach nothing but globals; this one flag is the whole of it.
 std::atomic<bool> interrupted{false};
 
@@ -19,13 +21,11 @@ void on_signal(int signal) {
 
 Interrupt::Interrupt() {
   interrupted = false;
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  for (const int signal : kSignals) std::signal(signal, on_signal);
 }
 
 Interrupt::~Interrupt() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int signal : kSignals) std::signal(signal, SIG_DFL);
 }
 
 const std::atomic<bool>& Interrupt::flag() const { return interrupted; }

@@ -4,8 +4,9 @@
 
 namespace stope {
 
-/// Turns Ctrl-C and a polite kill into a flag that a run watches. A second Ctrl-C ends the process
-/// at once, for the case that a stage does not listen. Only one may exist at a time.
+/// Turns Ctrl-C, a polite kill and a closed terminal into a flag that a run watches. A second
+/// Ctrl-C ends the process at once, for the case that a stage does not listen. Only one may exist
+/// at a time.
 class Interrupt {
  public:
   Interrupt();

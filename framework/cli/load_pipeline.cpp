@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "framework/cli/exit_code.hpp"
@@ -33,6 +34,19 @@ void print(const std::vector<Diagnostic>& list, bool json) {
   fmt::print("{}\n", nlohmann::ordered_json{{"ok", false}, {"diagnostics", all}}.dump(2));
 }
 
+// A stage that is missing because a plugin could not be used is that plugin's fault, not the
+// pipeline's.
+int why_no_plan(const std::vector<Diagnostic>& list, const PluginCatalogue& catalogue) {
+  const bool unusable =
+      std::any_of(catalogue.files().begin(), catalogue.files().end(),
+                  [](const PluginFile& file) { return file.status != PluginStatus::kUsable; });
+  const bool only_missing_stages =
+      std::all_of(list.begin(), list.end(), [](const Diagnostic& diagnostic) {
+        return diagnostic.severity != Severity::kError || diagnostic.code == "P050";
+      });
+  return unusable && only_missing_stages ? kPluginUnusable : kWrongArguments;
+}
+
 }  // namespace
 
 std::unique_ptr<PluginCatalogue> load_catalogue(const Arguments& arguments) {
@@ -56,7 +70,7 @@ LoadedPipeline load_pipeline(const Arguments& arguments) {
   const std::vector<Diagnostic> list = diagnostics.sorted();
   if (diagnostics.has_errors()) loaded.plan.reset();
   if (!loaded.plan || !arguments.json) print(list, arguments.json);
-  if (!loaded.plan) loaded.exit_code = kWrongArguments;
+  if (!loaded.plan) loaded.exit_code = why_no_plan(list, *loaded.catalogue);
   for (const Diagnostic& diagnostic : list) {
     if (diagnostic.severity == Severity::kWarning) loaded.warnings.push_back(diagnostic);
   }

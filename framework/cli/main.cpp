@@ -18,9 +18,13 @@ void add_pipeline(CLI::App& command, stope::Arguments& arguments) {
       ->allow_extra_args(false);
 }
 
-void add_plugins(CLI::App& command, stope::Arguments& arguments) {
+void add_plugin_path(CLI::App& command, stope::Arguments& arguments) {
   command.add_option("--plugin-path", arguments.plugin_path, "A folder of plugins, searched first")
       ->allow_extra_args(false);
+}
+
+void add_plugins(CLI::App& command, stope::Arguments& arguments) {
+  add_plugin_path(command, arguments);
   command.add_flag("--json", arguments.json, "Print for programs");
 }
 
@@ -32,7 +36,8 @@ void add_run(CLI::App& command, stope::Arguments& arguments) {
   command
       .add_option("--threads", arguments.threads, "Workers for parallel work (default: all cores)")
       ->check(CLI::Range(1, 4096));
-  command.add_option("--seed", arguments.seed, "Seed of everything random (default: 0)");
+  command.add_option("--seed", arguments.seed, "Seed of everything random (default: 0)")
+      ->check(CLI::NonNegativeNumber);
   command.add_flag("--quiet,-q", arguments.quiet, "Print warnings and errors only");
   command.add_option_function<std::string>(
       "--memory",
@@ -41,9 +46,12 @@ void add_run(CLI::App& command, stope::Arguments& arguments) {
         if (!bytes)
           throw CLI::ValidationError("--memory",
                                      "'" + text + "' is not a size; write 2GiB or 500MB.");
+        if (*bytes < stope::kLeastMemory)
+          throw CLI::ValidationError("--memory",
+                                     "'" + text + "' is too little; a run needs 64MiB or more.");
         arguments.memory = *bytes;
       },
-      "Memory for the whole process, such as 2GiB (default: half of RAM)");
+      "Memory for the whole process, such as 2GiB (default: half of RAM, at least 64MiB)");
 }
 
 int dispatch(int argc, char** argv) {
@@ -85,7 +93,7 @@ int dispatch(int argc, char** argv) {
 
   CLI::App* graph = subcommand("graph", "Draw a pipeline", stope::graph_command);
   add_pipeline(*graph, arguments);
-  add_plugins(*graph, arguments);
+  add_plugin_path(*graph, arguments);
   graph->add_option("--format", arguments.format, "dot, mermaid or svg")
       ->check(CLI::IsMember({"dot", "mermaid", "svg"}));
 

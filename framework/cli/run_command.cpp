@@ -35,6 +35,18 @@ class Narrator final : public RunObserver {
   RunReport& report_;
 };
 
+// Stages' own working memory is theirs; the budget can only make payloads give way to it.
+void warn_of_memory(const RunOptions& options, const RunRecord& record, Narrator& narrator) {
+  if (static_cast<double>(record.peak_resident) <= 1.1 * static_cast<double>(options.memory))
+    return;
+  narrator.log(
+      LogLevel::kWarning, "",
+      fmt::format(
+          "{} of memory were used though --memory allows {}: the stages alone needed more; allow "
+          "more or give them smaller maps",
+          byte_size_text(record.peak_resident), byte_size_text(options.memory)));
+}
+
 RunProgress without_taps(const RunProgress& progress) {
   RunProgress shown;
   for (const auto& process : progress.processes) {
@@ -105,9 +117,16 @@ int run_command(const Arguments& arguments) {
   ProgressBars bars(::isatty(STDERR_FILENO) != 0 && !arguments.json,
                     arguments.quiet || arguments.json);
   Narrator narrator(bars, report);
-  const RunRecord record =
-      run_plan(plan, *loaded.catalogue, report.sinks(), options, narrator,
-               [&](const RunProgress& progress) { bars.show(without_taps(progress)); });
+  const RunRecord record = run_plan(
+      plan, *loaded.catalogue, report.sinks(), options, narrator,
+      [&, told = false](const RunProgress& progress) mutable {
+        bars.show(without_taps(progress));
+        if (told || !interrupt.flag()) return;
+        told = true;
+        narrator.log(LogLevel::kWarning, "",
+                     "stopping; interrupt once more to end at once and leave its temporary files");
+      });
+  warn_of_memory(options, record, narrator);
   bars.finish();
   report.finish(record);
   print_end(arguments, record, report);

@@ -63,6 +63,11 @@ void Process::fail(const std::string& where, const std::string& what) {
 void Process::wait_to_read(Channel& channel) {
   const std::int64_t begin = trace_.now();
   wake_writers();
+  if (patience_.wait_for([&] { return channel.readable() || stopping(); })) {
+    trace_.add(Activity::kWaitIn, begin);
+    if (stopping()) throw Cancelled();
+    return;
+  }
   channel.set_reader_waits(true);
   for (;;) {
     doorbell_->prepare();
@@ -80,6 +85,11 @@ void Process::wait_to_read(Channel& channel) {
 void Process::wait_to_write(Channel& channel) {
   const std::int64_t begin = trace_.now();
   wake_writers();
+  if (patience_.wait_for([&] { return channel.writable() || stopping(); })) {
+    trace_.add(Activity::kWaitOut, begin);
+    if (stopping()) throw Cancelled();
+    return;
+  }
   channel.set_writer_waits(true);
   for (;;) {
     doorbell_->prepare();

@@ -11,6 +11,7 @@
 #include "framework/executor/doorbell.hpp"
 #include "framework/executor/input_end.hpp"
 #include "framework/executor/output_end.hpp"
+#include "framework/executor/patience.hpp"
 #include "framework/executor/run_services.hpp"
 #include "framework/executor/trace.hpp"
 #include "stope/stage_instance.hpp"
@@ -89,6 +90,7 @@ class Process {
   WaitGraph& waits_;
   Trace trace_;
   std::shared_ptr<Doorbell> doorbell_ = std::make_shared<Doorbell>();
+  Patience patience_;
   std::vector<std::unique_ptr<InputEnd>> inputs_;
   std::vector<std::unique_ptr<OutputEnd>> outputs_;
   std::atomic<Channel*> waits_at_{nullptr};
