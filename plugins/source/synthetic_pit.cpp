@@ -83,15 +83,18 @@ void SyntheticPit::run(Context& context) {
   if (params.rings != 16 && params.rings != 32 && params.rings != 64)
     throw Error(fmt::format("rings is {}, but the sensors known here have 16, 32 or 64 rings",
                             params.rings));
-  const auto world = std::make_shared<const World>(params, context.seed());
+  const Checkpoint checkpoint = [&context] { context.stop_if_cancelled(); };
+  const auto world = std::make_shared<const World>(params, context.seed(), checkpoint);
   const Sweeps& sweeps = world->sweeps;
   context.info(fmt::format("{} roads, {} junctions and dead ends, {:.1f} km driven, {} scans",
                            world->graph.edges.size(), world->graph.nodes.size(),
                            world->drive.distance_at(world->drive.duration()) / 1000, sweeps.count));
   trajectory.set(world->trajectory);
+  context.stop_if_cancelled();
   if (truth_grid.wanted()) truth_grid.set(true_grid(world->terrain));
+  context.stop_if_cancelled();
   if (truth_elevation.wanted()) truth_elevation.set(true_elevation(world->terrain));
-  if (truth_roads.wanted()) truth_roads.set(true_roads(world->graph, world->terrain));
+  if (truth_roads.wanted()) truth_roads.set(true_roads(world->graph, world->terrain, checkpoint));
 
   const std::size_t bytes = static_cast<std::size_t>(params.rings * params.azimuths) * 23;
   for (std::size_t k = 0; k < sweeps.count; ++k) {

@@ -81,7 +81,7 @@ class Search {
 
 }  // namespace
 
-std::vector<Leg> covering_route(const NetworkGraph& graph) {
+std::vector<Leg> covering_route(const NetworkGraph& graph, const Checkpoint& checkpoint) {
   const Search search(graph);
   std::size_t first = 0;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
@@ -92,6 +92,7 @@ std::vector<Leg> covering_route(const NetworkGraph& graph) {
   std::vector<Leg> legs;
   std::vector<std::size_t> path{first};
   while (!path.empty()) {
+    checkpoint();
     for (const std::size_t leg : path) {
       driven[leg / 2] = true;
       legs.push_back({leg / 2, leg % 2 == 1});

@@ -47,11 +47,12 @@ std::vector<double> speeds(const std::vector<double>& yaw, double fastest) {
 }  // namespace
 
 Drive::Drive(const std::vector<Vector2>& line, const Terrain& terrain,
-             const PitParameters& parameters)
+             const PitParameters& parameters, const Checkpoint& checkpoint)
     : yaw_(headings(line)), sensor_height_(parameters.sensor_height) {
   const std::vector<double> speed = speeds(yaw_, parameters.truck_speed);
   time_.assign(line.size(), 0.0);
   for (std::size_t i = 0; i < line.size(); ++i) {
+    checkpoint();
     x_.push_back(line[i].x());
     y_.push_back(line[i].y());
     const Vector2 ahead(std::cos(yaw_[i]), std::sin(yaw_[i])), left(-ahead.y(), ahead.x());
@@ -114,13 +115,14 @@ Sweeps plan_sweeps(const Drive& drive, const PitParameters& parameters) {
   return sweeps;
 }
 
-Trajectory true_trajectory(const Drive& drive, const Sweeps& sweeps) {
+Trajectory true_trajectory(const Drive& drive, const Sweeps& sweeps, const Checkpoint& checkpoint) {
   constexpr Stamp kFine = 10'000'000, kCoarse = 50'000'000;
   Trajectory trajectory;
   const auto add = [&](Stamp stamp) {
     trajectory.poses.push_back({stamp, drive.lidar_at(seconds_from_stamp(stamp))});
   };
   for (std::size_t k = 0; k < sweeps.count; ++k) {
+    checkpoint();
     const Stamp begin = sweeps.begin(k), end = sweeps.end(k);
     if (trajectory.poses.empty() || trajectory.poses.back().stamp < begin) add(begin);
     for (Stamp stamp = begin + kFine; stamp < end; stamp += kFine) add(stamp);

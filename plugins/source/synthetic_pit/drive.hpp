@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "plugins/source/synthetic_pit/checkpoint.hpp"
 #include "plugins/source/synthetic_pit/pit_parameters.hpp"
 #include "plugins/source/synthetic_pit/terrain.hpp"
 #include "stope/payloads/trajectory.hpp"
@@ -12,7 +13,8 @@ namespace stope::source {
 /// A truck on its way along a line: where its LiDAR is at any time.
 class Drive {
  public:
-  Drive(const std::vector<Vector2>& line, const Terrain& terrain, const PitParameters& parameters);
+  Drive(const std::vector<Vector2>& line, const Terrain& terrain, const PitParameters& parameters,
+        const Checkpoint& checkpoint = never_stop);
   /// Seconds from start to end.
   double duration() const { return time_.back(); }
   /// Metres driven after a time.
@@ -44,6 +46,7 @@ Sweeps plan_sweeps(const Drive& drive, const PitParameters& parameters);
 
 /// The true trajectory: every 10 ms during a sweep and at its ends, every 50 ms between sweeps. It
 /// *is* the motion: scans are made of it by pose_at(), so undoing the motion with it is exact.
-Trajectory true_trajectory(const Drive& drive, const Sweeps& sweeps);
+Trajectory true_trajectory(const Drive& drive, const Sweeps& sweeps,
+                           const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::source

@@ -13,11 +13,13 @@
 
 namespace stope::source {
 
-HeightPyramid::HeightPyramid(const Terrain& terrain) : terrain_(terrain) {
+HeightPyramid::HeightPyramid(const Terrain& terrain, const Checkpoint& checkpoint)
+    : terrain_(terrain) {
   const GridFrame& frame = terrain.frame;
   Level base{frame.width - 1, frame.height - 1, {}};
   base.highest.resize(static_cast<std::size_t>(base.width) * static_cast<std::size_t>(base.height));
   for (std::int32_t row = 0; row < base.height; ++row) {
+    checkpoint();
     for (std::int32_t column = 0; column < base.width; ++column) {
       const float* low = &terrain.height[frame.place({column, row})];
       const float* high = low + frame.width;
@@ -34,6 +36,7 @@ HeightPyramid::HeightPyramid(const Terrain& terrain) : terrain_(terrain) {
         static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height),
         -std::numeric_limits<float>::infinity());
     for (std::int32_t row = 0; row < below.height; ++row) {
+      checkpoint();
       for (std::int32_t column = 0; column < below.width; ++column) {
         float& highest =
             level.highest[static_cast<std::size_t>(row / 2) * level.width + column / 2];

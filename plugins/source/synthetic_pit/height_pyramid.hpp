@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "plugins/source/synthetic_pit/checkpoint.hpp"
 #include "plugins/source/synthetic_pit/terrain.hpp"
 
 namespace stope::source {
@@ -19,7 +20,7 @@ struct GroundHit {
 class HeightPyramid {
  public:
   /// Keeps a reference to `terrain`.
-  explicit HeightPyramid(const Terrain& terrain);
+  explicit HeightPyramid(const Terrain& terrain, const Checkpoint& checkpoint = never_stop);
   /// The first meeting of the ray from `origin` along the unit vector `direction`, if it is nearer
   /// than `max_range` and on the map.
   std::optional<GroundHit> cast(const Vector3& origin, const Vector3& direction,

@@ -29,8 +29,9 @@ constexpr double kSmallestPlace = 15;
 
 class Planner {
  public:
-  Planner(const PitParameters& parameters, std::uint64_t seed)
+  Planner(const PitParameters& parameters, std::uint64_t seed, const Checkpoint& checkpoint)
       : parameters_(parameters),
+        checkpoint_(checkpoint),
         random_(mix_seed(seed, 10)),
         layout_{PitShape(parameters, seed), {}, rules_of(parameters)} {}
 
@@ -56,6 +57,7 @@ class Planner {
   }
 
   bool accept(Proposal proposal) {
+    checkpoint_();
     if (!buildable(layout_.network, proposal, layout_.rules)) return false;
     build(layout_.network, std::move(proposal));
     return true;
@@ -98,6 +100,7 @@ class Planner {
   }
 
   void add_ramp(std::size_t ring, std::size_t loop, const RampPlan& plan) {
+    checkpoint_();
     std::optional<Ramp> ramp = ramp_road(layout_, parameters_, ring, loop, plan);
     if (!ramp || !accept(ramp->proposal)) return;
     ramps_.push_back({layout_.network.streets.size() - 1, ramp->landings});
@@ -243,6 +246,7 @@ class Planner {
 
   void stockpiles() {
     for (const DeadEnd& end : std::vector<DeadEnd>(layout_.network.dead_ends)) {
+      checkpoint_();
       if (end.kind == DeadEndKind::kDump) continue;
       for (int attempt = 0; attempt < 14; ++attempt) {
         const double height = random_.uniform(3, 8), radius = height / 0.75;
@@ -265,6 +269,7 @@ class Planner {
   };
 
   const PitParameters& parameters_;
+  const Checkpoint& checkpoint_;
   Random random_;
   Layout layout_;
   std::vector<BuiltRamp> ramps_;
@@ -272,8 +277,9 @@ class Planner {
 
 }  // namespace
 
-Layout plan_layout(const PitParameters& parameters, std::uint64_t seed) {
-  return Planner(parameters, seed).plan();
+Layout plan_layout(const PitParameters& parameters, std::uint64_t seed,
+                   const Checkpoint& checkpoint) {
+  return Planner(parameters, seed, checkpoint).plan();
 }
 
 }  // namespace stope::source

@@ -159,7 +159,8 @@ std::vector<Vector2> smoothed(const std::vector<Vector2>& line) {
 }  // namespace
 
 std::vector<Vector2> route_line(const StreetNetwork& network, const NetworkGraph& graph,
-                                const std::vector<Leg>& legs, const NetworkRules& rules) {
+                                const std::vector<Leg>& legs, const NetworkRules& rules,
+                                const Checkpoint& checkpoint) {
   std::vector<Vector2> line;
   double head = 0;
   const double loop = std::sqrt(3.0) * kTurningRadius;
@@ -171,6 +172,7 @@ std::vector<Vector2> route_line(const StreetNetwork& network, const NetworkGraph
     return std::max(1.0, std::min(0.45 * length, ends ? length - loop - 4 : length));
   };
   for (std::size_t k = 0; k < legs.size(); ++k) {
+    checkpoint();
     const std::vector<Vector2> points = leg_points(graph, legs[k]);
     if (k + 1 == legs.size()) {
       const std::vector<Vector2> rest = trim(points, head, 0);

@@ -54,9 +54,10 @@ struct Surface {
   }
 };
 
-void label_slopes(Terrain& terrain) {
+void label_slopes(Terrain& terrain, const Checkpoint& checkpoint) {
   const GridFrame& frame = terrain.frame;
   tbb::parallel_for(0, frame.height, [&](std::int32_t row) {
+    checkpoint();
     for (std::int32_t column = 0; column < frame.width; ++column) {
       std::uint8_t& label = terrain.label[frame.place({column, row})];
       if (label != 0) continue;
@@ -98,7 +99,8 @@ double Terrain::height_at(double x, double y) const {
 }
 
 Terrain build_terrain(const Layout& layout, const PitParameters& parameters,
-                      const std::vector<Pad>& pads, std::uint64_t seed) {
+                      const std::vector<Pad>& pads, std::uint64_t seed,
+                      const Checkpoint& checkpoint) {
   Terrain terrain;
   GridFrame& frame = terrain.frame;
   frame.resolution = parameters.resolution;
@@ -112,6 +114,7 @@ Terrain build_terrain(const Layout& layout, const PitParameters& parameters,
   const RoadField field(layout, parameters.rough, seed);
   const std::int32_t tiles = (frame.width + kTile - 1) / kTile;
   const auto build_tile = [&](std::int32_t tile_column, std::int32_t tile_row) {
+    checkpoint();
     const Vector2 middle = frame.to_map((tile_column + 0.5) * kTile, (tile_row + 0.5) * kTile);
     const double radius = 0.7072 * kTile * frame.resolution;
     const RoadField::Tile tile = field.tile(middle, radius);
@@ -144,7 +147,7 @@ Terrain build_terrain(const Layout& layout, const PitParameters& parameters,
         build_tile(column, row);
     }
   });
-  label_slopes(terrain);
+  label_slopes(terrain, checkpoint);
   return terrain;
 }
 

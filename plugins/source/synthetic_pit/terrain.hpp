@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "plugins/source/synthetic_pit/checkpoint.hpp"
 #include "plugins/source/synthetic_pit/layout.hpp"
 #include "stope/payloads/grid_frame.hpp"
 
@@ -31,6 +32,7 @@ struct Terrain {
 /// Cuts and fills roads into the shape, piles berms along their edges, and strews rubble over the
 /// rest.
 Terrain build_terrain(const Layout& layout, const PitParameters& parameters,
-                      const std::vector<Pad>& pads, std::uint64_t seed);
+                      const std::vector<Pad>& pads, std::uint64_t seed,
+                      const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::source

@@ -51,7 +51,8 @@ ElevationGrid true_elevation(const Terrain& terrain) {
   return grid;
 }
 
-RoadGraph true_roads(const NetworkGraph& graph, const Terrain& terrain) {
+RoadGraph true_roads(const NetworkGraph& graph, const Terrain& terrain,
+                     const Checkpoint& checkpoint) {
   RoadGraph roads;
   for (const auto& node : graph.nodes)
     roads.nodes.push_back({0, node.place.x(), node.place.y(), node.elevation});
@@ -63,6 +64,7 @@ RoadGraph true_roads(const NetworkGraph& graph, const Terrain& terrain) {
     road.vertex_count = static_cast<std::uint32_t>(edge.points.size());
     road.width = edge.width;
     for (std::size_t i = 0; i < edge.points.size(); ++i) {
+      checkpoint();
       roads.vertices.push_back({edge.points[i].x(), edge.points[i].y(), edge.elevation[i],
                                 clearance(terrain, edge.points[i])});
     }

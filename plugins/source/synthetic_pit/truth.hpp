@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plugins/source/synthetic_pit/checkpoint.hpp"
 #include "plugins/source/synthetic_pit/machines.hpp"
 #include "plugins/source/synthetic_pit/network_graph.hpp"
 #include "plugins/source/synthetic_pit/terrain.hpp"
@@ -17,6 +18,7 @@ ElevationGrid true_elevation(const Terrain& terrain);
 
 /// The roads as designed, with clearances measured on the true grid (to the edge of the nearest
 /// obstacle cell). The node of a dead end is the centre of its turning place.
-RoadGraph true_roads(const NetworkGraph& graph, const Terrain& terrain);
+RoadGraph true_roads(const NetworkGraph& graph, const Terrain& terrain,
+                     const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::source

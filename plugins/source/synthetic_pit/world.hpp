@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "plugins/source/synthetic_pit/checkpoint.hpp"
 #include "plugins/source/synthetic_pit/drive.hpp"
 #include "plugins/source/synthetic_pit/layout.hpp"
 #include "plugins/source/synthetic_pit/machines.hpp"
@@ -15,7 +16,9 @@ namespace stope::source {
 /// function of parameters and seed. Its parts are made in the order of its members, each from those
 /// before it; what later sensors or a second epoch need hooks in between.
 struct World {
-  World(const PitParameters& parameters, std::uint64_t seed);
+  /// Throws what `checkpoint` throws.
+  World(const PitParameters& parameters, std::uint64_t seed,
+        const Checkpoint& checkpoint = never_stop);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <vector>
 
 #include "plugins/source/synthetic_pit/truth.hpp"
@@ -58,6 +59,35 @@ TEST(SyntheticPit, SaysWhenThereIsNoRoomForARamp) {
       recorded.harness.set("benches", std::int64_t{30}).set("bench_height", 20.0).run();
   EXPECT_EQ(outcome.kind, Outcome::Kind::kFailed);
   EXPECT_THAT(outcome.sentence, ::testing::HasSubstr("use a larger size"));
+}
+
+TEST(SyntheticPit, EndsAsCancelledWithoutOutputs) {
+  Recorded recorded(4);
+  recorded.harness.context.cancel = true;
+  const Outcome outcome = recorded.harness.run();
+  EXPECT_EQ(outcome.kind, Outcome::Kind::kCancelled);
+  EXPECT_TRUE(recorded.scans.items.empty());
+  EXPECT_TRUE(recorded.poses.items.empty());
+  EXPECT_TRUE(recorded.trajectory.items.empty());
+  EXPECT_TRUE(recorded.grid.items.empty());
+  EXPECT_TRUE(recorded.roads.items.empty());
+  EXPECT_TRUE(recorded.elevation.items.empty());
+}
+
+TEST(SyntheticPit, CanBeGivenUpWhereverItIs) {
+  std::atomic<std::int64_t> asked = 0;
+  const World whole(small_pit(), 7, [&] { ++asked; });
+  const std::int64_t all = asked;
+  ASSERT_GT(all, 1000);
+  for (const std::int64_t last : {all / 50, all / 10, all / 4, all / 2, all - 1}) {
+    asked = 0;
+    EXPECT_THROW(World(small_pit(), 7,
+                       [&] {
+                         if (++asked > last) throw Cancelled();
+                       }),
+                 Cancelled)
+        << last << " of " << all;
+  }
 }
 
 TEST(SyntheticPit, IsAFunctionOfItsSeed) {
