@@ -62,6 +62,11 @@ std::string output_stem(std::string_view name, std::string_view extension) {
 
 std::string item_stem(std::uint64_t index) { return fmt::format("{:06}", index); }
 
+bool is_item_name(std::string_view name) {
+  const std::size_t digits = name.find_first_not_of("0123456789");
+  return digits != std::string_view::npos && digits >= 6 && name[digits] == '.';
+}
+
 void check_extension(std::string_view extension) {
   if (extension.empty() || extension.front() == '.' || has_control_character(extension) ||
       extension.size() > 64 || extension.find_first_of("/\\") != std::string_view::npos)

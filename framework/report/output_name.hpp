@@ -17,6 +17,9 @@ std::string output_stem(std::string_view name, std::string_view extension);
 /// The number of a stream's item as six digits or more: `000042`.
 std::string item_stem(std::uint64_t index);
 
+/// Whether a file is called like a stream's item: six digits or more, a dot, an extension.
+bool is_item_name(std::string_view name);
+
 /// Checks an extension that an export gave: it must not hold anything that moves the file
 /// elsewhere. Throws Error.
 void check_extension(std::string_view extension);

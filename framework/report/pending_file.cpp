@@ -41,6 +41,11 @@ std::filesystem::path pending_name(const std::filesystem::path& final_path) {
          fmt::format(".{}{}", final_path.filename().string(), kPendingSuffix);
 }
 
+bool is_pending(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with(".") && name.ends_with(kPendingSuffix);
+}
+
 std::string io_sentence(std::string_view what, const std::filesystem::path& path,
                         int error_number) {
   return fmt::format("cannot {} {}: {}. {}", what, path.string(), std::strerror(error_number),

@@ -12,6 +12,8 @@ inline constexpr std::string_view kPendingSuffix = ".stope-part";
 
 /// `folder/.name.stope-part` for `folder/name`: in the same folder, so that a rename is enough.
 std::filesystem::path pending_name(const std::filesystem::path& final_path);
+/// Whether a path is such a name.
+bool is_pending(const std::filesystem::path& path);
 
 /// The sentence for a failed system call on `path`: what could not be done, why, and what to do.
 std::string io_sentence(std::string_view what, const std::filesystem::path& path, int error_number);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "framework/report/output_name.hpp"
 #include "framework/report/pending_file.hpp"
 #include "stope/error.hpp"
 
@@ -17,16 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// `000042.png`: six digits or more, a dot, an extension.
-bool is_numbered(const std::string& name) {
-  const std::size_t digits = name.find_first_not_of("0123456789");
-  return digits != std::string::npos && digits >= 6 && name[digits] == '.';
-}
-
 void move_foreign_files(const fs::path& from, const fs::path& to) {
   std::vector<fs::path> foreign;
   for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
-    if (!is_numbered(entry.path().filename().string())) foreign.push_back(entry.path());
+    if (!is_item_name(entry.path().filename().string())) foreign.push_back(entry.path());
   }
   for (const fs::path& path : foreign) {
     const fs::path target = to / path.filename();

@@ -40,6 +40,7 @@ struct ReportData {
   std::vector<FileRead> files_read;
   std::vector<WrittenFile> outputs;
   std::vector<std::string> outputs_kept;  ///< of a run that did not end well: what an earlier left
+  std::vector<std::string> outputs_beside;  ///< in outputs/ but not of this run, which ended well
   std::vector<TapResult> taps;
 
   const TapResult* tap_at(const PlannedSource& source) const {

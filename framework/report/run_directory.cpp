@@ -24,9 +24,25 @@ void create_folder(const fs::path& folder) {
   throw Error(io_sentence("make the folder", folder, number));
 }
 
-bool is_pending(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.starts_with(".") && name.ends_with(kPendingSuffix);
+// At the end of the run a rename would fail on them, after others have taken their names.
+void refuse_folders_named_like_files(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"run.json", "report.html", "log.txt", "trace.json"}) {
+    if (fs::is_directory(fs::symlink_status(folder / name, ignored)))
+      throw Error(fmt::format(
+          "{} is a folder, but the run writes a file of that name. Move it away, or choose another "
+          "folder with --out.",
+          (folder / name).string()));
+  }
+}
+
+void refuse_link(const fs::path& outputs) {
+  std::error_code ignored;
+  if (fs::is_symlink(outputs, ignored))
+    throw Error(fmt::format(
+        "{} is a symbolic link, which may lead out of the run's folder. Remove the link, or choose "
+        "the folder it leads to with --out.",
+        outputs.string()));
 }
 
 // A run that was killed leaves files under temporary names; their owner is gone, the lock says so.
@@ -57,6 +73,8 @@ RunDirectory::RunDirectory(const fs::path& folder) : folder_(fs::absolute(folder
         folder_.string()));
   }
   try {
+    refuse_folders_named_like_files(folder_);
+    refuse_link(outputs());
     create_folder(outputs());
     if (::access(folder_.c_str(), W_OK) != 0 || ::access(outputs().c_str(), W_OK) != 0)
       throw Error(io_sentence("write into", folder_, errno));

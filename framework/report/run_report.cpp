@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <utility>
 
 #include "framework/report/artefact_writer.hpp"
+#include "framework/report/other_files.hpp"
 #include "framework/report/page/page.hpp"
 #include "framework/report/payload_tap.hpp"
 #include "framework/report/pending_file.hpp"
@@ -50,7 +52,8 @@ struct RunReport::Parts {
   }
 
   ReportData data(const RunRecord& record) const {
-    ReportData data{plan, catalogue, facts, record, log, this_machine(), files_read, {}, {}, {}};
+    ReportData data{plan,       catalogue, facts, record, log, this_machine(),
+                    files_read, {},        {},    {},     {}};
     for (const auto& tap : taps) {
       const auto digest = tap->digest();
       data.taps.push_back(
@@ -63,7 +66,18 @@ struct RunReport::Parts {
         data.outputs_kept.push_back(writer->relative());
       }
     }
+    if (record.end == RunRecord::End::kDone) data.outputs_beside = others_in_outputs();
     return data;
+  }
+
+  std::vector<std::string> others_in_outputs() const {
+    constexpr std::size_t kBelow = std::string_view("outputs/").size();
+    std::set<std::string> owned;
+    for (const auto& writer : writers) {
+      owned.insert(writer->relative().substr(kBelow));
+      for (const WrittenFile& file : writer->files()) owned.insert(file.path.substr(kBelow));
+    }
+    return other_files(directory.outputs(), owned);
   }
 
   const Plan& plan;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "framework/report/page/html.hpp"
@@ -12,6 +13,7 @@ namespace stope::report {
 namespace {
 
 constexpr std::size_t kFilesShown = 6;
+constexpr std::size_t kOthersNamed = 10;
 
 std::string row(const WrittenFile& file, const std::string& from) {
   return fmt::format(
@@ -42,6 +44,17 @@ std::string rows_of(const ReportData& data, const PlannedOutput& output) {
         "</td><td class=\"soft\">run.json lists each</td></tr>\n",
         count_text(count, "file", "files"), bytes_text(bytes));
   return rows;
+}
+
+std::string others_line(const std::vector<std::string>& others) {
+  if (others.empty()) return {};
+  const std::size_t named = std::min(kOthersNamed, others.size());
+  std::string names;
+  for (std::size_t i = 0; i < named; ++i)
+    names += fmt::format("{}<code>{}</code>", i > 0 ? ", " : "", escaped(others[i]));
+  if (others.size() > named) names += fmt::format(" and {} more", others.size() - named);
+  return fmt::format("<p class=\"soft\">Also in outputs/, but not written by this run: {}.</p>\n",
+                     names);
 }
 
 }  // namespace
@@ -75,7 +88,7 @@ std::string outputs_html(const ReportData& data) {
       "<table><thead><tr><th>file</th><th>made of</th><th class=\"n\">size</th><th>SHA-256</th>"
       "</tr></thead><tbody>\n";
   for (const PlannedOutput& output : data.plan.outputs) html += rows_of(data, output);
-  return html + "</tbody></table></section>\n";
+  return html + "</tbody></table>\n" + others_line(data.outputs_beside) + "</section>\n";
 }
 
 }  // namespace stope::report

@@ -192,6 +192,65 @@ TEST(RunReport, RefusesAFileInPlaceOfTheFolder) {
   EXPECT_EQ(text_of(folder.path / "out"), "a file");
 }
 
+std::string refusal_of(const fs::path& folder) {
+  const Plan plan = one_map_plan();
+  const made::AnyCatalogue catalogue;
+  try {
+    const RunReport report(plan, catalogue, made::facts(), folder);
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(RunReport, RefusesOutputsThatAreASymbolicLink) {
+  for (const char* target : {"elsewhere", "gone"}) {
+    const made::Folder folder;
+    made::put_text(folder.path / "elsewhere/map.yaml", "not ours");
+    fs::create_directory(folder.path / "out");
+    fs::create_directory_symlink(folder.path / target, folder.path / "out/outputs");
+    const std::string sentence = refusal_of(folder.path / "out");
+    EXPECT_NE(sentence.find((folder.path / "out/outputs").string() + " is a symbolic link"),
+              std::string::npos)
+        << sentence;
+    EXPECT_EQ(text_of(folder.path / "elsewhere/map.yaml"), "not ours");
+    EXPECT_FALSE(fs::exists(folder.path / "gone"));
+  }
+}
+
+TEST(RunReport, RefusesAFolderInPlaceOfOneOfItsFiles) {
+  for (const char* name : {"run.json", "report.html", "log.txt", "trace.json"}) {
+    const made::Folder folder;
+    made::put_text(folder.path / name / "notes.txt", "mine");
+    const std::string sentence = refusal_of(folder.path);
+    EXPECT_NE(sentence.find((folder.path / name).string() + " is a folder"), std::string::npos)
+        << sentence;
+    EXPECT_EQ(made::files_below(folder.path),
+              std::vector<std::string>{name + std::string("/notes.txt")});
+  }
+}
+
+TEST(RunReport, NamesWhatElseIsInOutputs) {
+  const made::Folder folder;
+  run_once(one_map_plan(), folder.path, "first");
+  const std::string before = text_of(folder.path / "report.html");
+  EXPECT_EQ(before.find("not written by this run"), std::string::npos);
+  made::put_text(folder.path / "outputs/old & grey.png", "of an earlier pipeline");
+  made::put_text(folder.path / "outputs/live/000000.png", "of an earlier stream");
+  run_once(one_map_plan(), folder.path, "second");
+  const std::string few = text_of(folder.path / "report.html");
+  EXPECT_NE(few.find("not written by this run: <code>live/</code>, "
+                     "<code>old &amp; grey.png</code>.</p>"),
+            std::string::npos);
+  for (int i = 10; i < 20; ++i)
+    made::put_text(folder.path / ("outputs/a" + std::to_string(i) + ".svg"), "more");
+  run_once(one_map_plan(), folder.path, "third");
+  const std::string many = text_of(folder.path / "report.html");
+  EXPECT_NE(many.find("<code>a10.svg</code>"), std::string::npos);
+  EXPECT_NE(many.find("<code>a19.svg</code> and 2 more.</p>"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder.path / "outputs/old & grey.png"));
+}
+
 // In a process of its own, whose files may not grow beyond `limit` bytes: the system refuses to
 // write more, as it does when a disk is full. Returns the exit code and fills `sentence`.
 int run_with_small_disk(const fs::path& folder, rlim_t limit, std::size_t size) {
