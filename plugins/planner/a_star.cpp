@@ -25,14 +25,13 @@ class AStar final : public Map<Path(RoadGraph, Optional<OccupancyGrid>)> {
         .from("Hart, Nilsson and Raphael 1968; Huang et al., Obstacles in Mining Area, sec. V")
         .notes(
             "Start and goal are joined to the nearest place on a road, through free cells if a "
-            "grid is wired. Closed roads and one-way directions are respected. A heading given "
-            "with start or goal is written to the path's ends and not yet planned for. Without "
-            "start or goal the far ends of the largest part of the network are taken.")
+            "grid is wired. Closed roads and one-way directions are respected. Without start or "
+            "goal the far ends of the largest part of the network are taken; on a ring the goal "
+            "is the place across it.")
         .ports("roads", "grid", "path")
-        .param("start", &Params::start, "m", count(2, 3),
-               "Where to start, [x, y] or [x, y, yaw] in the map frame.")
-        .param("goal", &Params::goal, "m", count(2, 3),
-               "Where to go, [x, y] or [x, y, yaw] in the map frame.")
+        .param("start", &Params::start, "m", count(2, 2),
+               "Where to start, [x, y] in the map frame.")
+        .param("goal", &Params::goal, "m", count(2, 2), "Where to go, [x, y] in the map frame.")
         .param("snap_distance", &Params::snap_distance, "m", at_least(0.0),
                "How far start and goal may lie from a road.")
         .param("min_clearance", &Params::min_clearance, "m", at_least(0.0),
@@ -56,7 +55,8 @@ class AStar final : public Map<Path(RoadGraph, Optional<OccupancyGrid>)> {
     request.rules = {params.min_clearance, params.comfortable_clearance, params.clearance_weight};
     Path path = plan_path(roads, grid ? &*grid : nullptr, request,
                           [&](std::string_view sentence) { context.info(sentence); });
-    context.info(fmt::format("planned {:.1f} m along {} roads", path.length, path.edges.size()));
+    context.info(fmt::format("planned {:.1f} m along {} {}", path.length, path.edges.size(),
+                             path.edges.size() == 1 ? "road" : "roads"));
     return path;
   }
 };

@@ -43,23 +43,49 @@ std::pair<std::uint32_t, double> farthest_node(const std::vector<double>& costs)
   return best;
 }
 
-}  // namespace
-
-RoadPlace farthest_from(const RoadNetwork& network, RoadPlace start, bool against) {
-  const auto [node, cost] = farthest_node(costs_from(network, start, against));
-  return cost > 0 ? network.node_place(node) : start;
+/// Halfway along the longest road that leaves (or, `against`, enters) a node without cost; only
+/// rings do, if no node costs anything. `start` if there is no such road.
+FarPlace across_longest_ring(const RoadNetwork& network, RoadPlace start,
+                             const std::vector<double>& costs, bool against) {
+  FarPlace best{start, false};
+  double longest = 0;
+  for (std::uint32_t node = 0; node < costs.size(); ++node) {
+    if (!std::isfinite(costs[node])) continue;
+    for (const Arc& arc : against ? network.arcs_into(node) : network.arcs_from(node)) {
+      const double length = network.length(arc.edge);
+      if (length <= longest) continue;
+      longest = length;
+      best = {{arc.edge, length / 2}, true};
+    }
+  }
+  return best;
 }
 
-std::optional<std::pair<RoadPlace, RoadPlace>> far_ends(const RoadNetwork& network) {
+}  // namespace
+
+FarPlace farthest_from(const RoadNetwork& network, RoadPlace start, bool against) {
+  const std::vector<double> costs = costs_from(network, start, against);
+  const auto [node, cost] = farthest_node(costs);
+  if (cost > 0) return {network.node_place(node), false};
+  return across_longest_ring(network, start, costs, against);
+}
+
+std::optional<FarEnds> far_ends(const RoadNetwork& network) {
   const auto first = node_of_largest_part(network);
   if (!first) return std::nullopt;
   const RoadPlace a = network.node_place(*first);
   const auto [b_node, a_to_b] = farthest_node(costs_from(network, a));
+  if (!(a_to_b > 0)) {
+    // One-way roads may lead here only.
+    const auto [origin, cost] = farthest_node(costs_from(network, a, true));
+    if (cost > 0) return FarEnds{network.node_place(origin), {a, false}};
+    return FarEnds{a, farthest_from(network, a, false)};
+  }
   const RoadPlace b = network.node_place(b_node);
   const auto [c_node, b_to_c] = farthest_node(costs_from(network, b));
   // One-way roads may leave no way back from b.
-  if (b_to_c < a_to_b) return std::pair(a, b);
-  return std::pair(b, network.node_place(c_node));
+  if (b_to_c < a_to_b) return FarEnds{a, {b, false}};
+  return FarEnds{b, {network.node_place(c_node), false}};
 }
 
 }  // namespace stope::planner

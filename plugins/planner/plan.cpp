@@ -51,20 +51,26 @@ class Planner {
     if (request_.goal) goal_ = link("goal", *request_.goal);
     if (!request_.start && !request_.goal) {
       const auto ends = far_ends(network_);
-      start_ = at_node("start", ends->first, "of the largest part of the network");
-      goal_ = at_node("goal", ends->second, "farthest from the start by road");
+      start_ = take("start", ends->start, "node", "one of the largest part of the network");
+      goal_ = take_far("goal", ends->goal, "start");
     } else if (!request_.goal) {
-      const RoadPlace end = farthest_from(network_, start_.place, false);
-      goal_ = at_node("goal", end, "farthest from the start by road");
+      goal_ = take_far("goal", farthest_from(network_, start_.place, false), "start");
     } else if (!request_.start) {
-      const RoadPlace end = farthest_from(network_, goal_.place, true);
-      start_ = at_node("start", end, "farthest from the goal by road");
+      start_ = take_far("start", farthest_from(network_, goal_.place, true), "goal");
     }
   }
 
-  Link at_node(const char* which, RoadPlace place, const char* why) const {
+  Link take_far(const char* which, const FarPlace& end, const char* other) const {
+    if (end.across_ring) {
+      return take(which, end.place, "place",
+                  fmt::format("far side of the ring on which the {} lies", other));
+    }
+    return take(which, end.place, "node", fmt::format("one farthest from the {} by road", other));
+  }
+
+  Link take(const char* which, RoadPlace place, const char* what, const std::string& why) const {
     const Vector2 position = position_of(network_, place);
-    say_(fmt::format("no {} is given: the node at {} is taken, the one {}", which,
+    say_(fmt::format("no {} is given: the {} at {} is taken, the {}", which, what,
                      text_of(position), why));
     return {place, {position}};
   }
@@ -130,9 +136,6 @@ class Planner {
     append_link(line, goal_, true);
     path.length = length_of(line);
     path.points = sample_path(line, request_.step, request_.smoothing);
-    if (request_.start && request_.start->size() == 3)
-      path.points.front().yaw = request_.start->at(2);
-    if (request_.goal && request_.goal->size() == 3) path.points.back().yaw = request_.goal->at(2);
     return path;
   }
 

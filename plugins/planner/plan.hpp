@@ -13,7 +13,7 @@ namespace stope::planner {
 
 /// Where from and where to, and how.
 struct PlanRequest {
-  std::optional<std::vector<double>> start, goal;  ///< [x, y] or [x, y, yaw], metres and radians
+  std::optional<std::vector<double>> start, goal;  ///< [x, y], metres, map frame
   double snap_distance = 50;                       ///< metres from start or goal to a road, at most
   double step = 1;                                 ///< metres between points of the path, at most
   double smoothing = 2;                            ///< metres over which heading is taken

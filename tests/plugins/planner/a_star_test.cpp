@@ -200,10 +200,63 @@ TEST(AStar, StartAndGoalMayBeTheSamePlace) {
   EXPECT_FALSE(path.points.empty());
 }
 
-TEST(AStar, AGivenHeadingStandsAtTheEnds) {
-  const Path path = planner(bent_road(), {20, 10, 1.5}, {50, 10, -0.5}).apply<Path>();
-  EXPECT_EQ(path.points.front().yaw, 1.5);
-  EXPECT_EQ(path.points.back().yaw, -0.5);
+// Round a square of 20 m, from its lower left corner back to it.
+RoadGraph ring() {
+  RoadGraph graph;
+  graph.nodes = {{1, 0, 0, 0}};
+  add_road(graph, 0, 0, {{20, 0}, {20, 20}, {0, 20}});
+  return graph;
+}
+
+TEST(AStar, OnARingItDrivesToTheFarSide) {
+  auto stage = planner(ring(), {}, {});
+  const Path path = stage.apply<Path>();
+  EXPECT_NEAR(path.length, 40, 1e-9);
+  EXPECT_NEAR(path.points.back().x, 20, 1e-9);
+  EXPECT_NEAR(path.points.back().y, 20, 1e-9);
+  const auto& said = stage.context().sentences;
+  ASSERT_EQ(said.size(), 3U);
+  EXPECT_EQ(said[1],
+            "no goal is given: the place at (20.00, 20.00) is taken, the far side of the ring on "
+            "which the start lies");
+  EXPECT_EQ(said[2], "planned 40.0 m along 1 road");
+}
+
+TEST(AStar, AlsoOnARingOfOneWayAndToAGivenEndOnTheNode) {
+  for (const auto direction :
+       {RoadDirection::kBoth, RoadDirection::kForward, RoadDirection::kBackward}) {
+    RoadGraph graph = ring();
+    graph.edges[0].direction = direction;
+    EXPECT_NEAR(planner(graph, {}, {}).apply<Path>().length, 40, 1e-9);
+    EXPECT_NEAR(planner(graph, {0, 0}, {}).apply<Path>().length, 40, 1e-9);
+    EXPECT_NEAR(planner(graph, {}, {0, 0}).apply<Path>().length, 40, 1e-9);
+  }
+}
+
+TEST(AStar, OfTwoRingsAtANodeItTakesTheLonger) {
+  RoadGraph graph = ring();
+  add_road(graph, 0, 0, {{-30, 0}, {-30, 30}, {0, 30}});
+  const Path path = planner(graph, {}, {}).apply<Path>();
+  EXPECT_NEAR(path.length, 60, 1e-9);
+  EXPECT_EQ(path.edges, (std::vector<std::uint64_t>{1001}));
+}
+
+TEST(AStar, FindsAWayWhereAllRoadsLeadToTheFirstNode) {
+  RoadGraph graph = bent_road();
+  graph.edges[0].direction = graph.edges[1].direction = RoadDirection::kBackward;
+  auto stage = planner(graph, {}, {});
+  EXPECT_NEAR(stage.apply<Path>().length, 80, 1e-9);
+  EXPECT_EQ(stage.context().sentences.back(), "planned 80.0 m along 2 roads");
+}
+
+TEST(AStar, StartAndGoalAreTwoNumbers) {
+  const StageHarness stage(stope_stage_AStar());
+  for (const std::size_t place : {0U, 1U}) {
+    const ParameterInfo& parameter = stage.info().parameters[place];
+    EXPECT_EQ(parameter.unit, "m");
+    EXPECT_EQ(parameter.limits.count_least, 2);
+    EXPECT_EQ(parameter.limits.count_most, 2);
+  }
 }
 
 }  // namespace
