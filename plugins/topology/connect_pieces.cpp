@@ -15,22 +15,26 @@ namespace {
 class PieceConnector {
  public:
   PieceConnector(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                 const std::vector<CellIndex>& corners)
+                 const std::vector<CellIndex>& corners, const Checkpoint& checkpoint)
       : space_(space),
         outlines_(outlines),
         edges_(edges),
         corners_(corners),
+        checkpoint_(checkpoint),
         stride_(space.stride()),
         pieces_(outlines.list.size()) {}
 
   LineNetwork run() {
     join_outlines();
+    checkpoint_();
     TracedLines traced = trace_lines(space_, outlines_, edges_, corners_, {});
+    checkpoint_();
     const std::vector<std::int32_t> torn = torn_pieces(traced);
     if (!torn.empty()) drop_fragments(traced);
     // A new trace brings fragments back, so they are linked as well.
     if (!torn_pieces(traced).empty())
       traced = trace_lines(space_, outlines_, edges_, corners_, links_within(torn));
+    checkpoint_();
     add_lone_nodes(traced);
     return std::move(traced.network);
   }
@@ -153,6 +157,7 @@ class PieceConnector {
                joined.find(static_cast<std::int32_t>(other)) != own;
       });
       if (!apart) continue;
+      checkpoint_();
       links.push_back(widest_way(groups, joined, own));
       joined.join(own, group_of_.at(links.back().to));
     }
@@ -281,6 +286,7 @@ class PieceConnector {
   const Outlines& outlines_;
   const EdgeGrid& edges_;
   const std::vector<CellIndex>& corners_;
+  const Checkpoint& checkpoint_;
   CellIndex stride_;
   DisjointSets pieces_;
   std::unordered_map<CellIndex, std::int32_t> group_of_;
@@ -289,8 +295,8 @@ class PieceConnector {
 }  // namespace
 
 LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           const std::vector<CellIndex>& corners) {
-  return PieceConnector(space, outlines, edges, corners).run();
+                           const std::vector<CellIndex>& corners, const Checkpoint& checkpoint) {
+  return PieceConnector(space, outlines, edges, corners, checkpoint).run();
 }
 
 }  // namespace stope::topology

@@ -11,6 +11,7 @@ namespace stope::topology {
 /// greatest clearance; a piece without any line (a round yard) gets one node, at its widest place.
 /// A link joins what was apart, so it adds no cycle.
 LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           const std::vector<CellIndex>& corners);
+                           const std::vector<CellIndex>& corners,
+                           const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

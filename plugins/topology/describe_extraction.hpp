@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+
 #include "plugins/topology/extract_roads.hpp"
 #include "stope/about.hpp"
 #include "stope/context.hpp"
+#include "stope/error.hpp"
 
 namespace stope::topology {
 
@@ -21,17 +25,25 @@ void describe_extraction(About<Stage>& about) {
       .param("occupied_threshold", &ExtractionParams::occupied_threshold, between(0.0, 1.0),
              "Least probability with which a cell is an obstacle.")
       .param("unknown_is_obstacle", &ExtractionParams::unknown_is_obstacle,
-             "Whether unknown cells are obstacles; otherwise they are free.");
+             "Whether unknown cells are obstacles; otherwise they are free.")
+      .param("allow_empty", &ExtractionParams::allow_empty,
+             "Give a graph without roads instead of an error, for streams of live grids.");
 }
 
-inline void report_roads(const RoadGraph& roads, Context& context) {
-  if (roads.edges.empty())
-    context.warn(
-        "the map has no road that this stage can see; see its notes, min_clearance and "
-        "min_obstacle_area");
-  else
+/// Logs what was found. Without any road throws Error unless params.allow_empty; `why` ends the
+/// sentence "the map has free cells but no road that can be extracted: …".
+inline void report_roads(const RoadGraph& roads, const ExtractionParams& params,
+                         std::string_view why, Context& context) {
+  if (!roads.edges.empty()) {
     context.info(
         fmt::format("{} roads meet or end in {} places", roads.edges.size(), roads.nodes.size()));
+    return;
+  }
+  const std::string sentence =
+      fmt::format("the map has free cells but no road that can be extracted: {}", why);
+  if (!params.allow_empty)
+    throw Error(sentence + " (with allow_empty: true a graph without roads is passed on)");
+  context.warn(sentence);
 }
 
 }  // namespace stope::topology

@@ -20,19 +20,24 @@ namespace {
 
 class Divider {
  public:
-  Divider(FreeSpace& space, const Outlines& outlines, const SideRule& rule, EdgeGrid& edges)
+  Divider(FreeSpace& space, const Outlines& outlines, const SideRule& rule, EdgeGrid& edges,
+          const Checkpoint& checkpoint)
       : space_(space),
         outlines_(outlines),
         rule_(rule),
         edges_(edges),
+        checkpoint_(checkpoint),
         stride_(space.stride()),
         step_{1, stride_, -1, -stride_} {}
 
   std::vector<CellIndex> run() {
     std::vector<Divide> divides;
     find_between_free_cells(divides);
+    checkpoint_();
     find_along_outlines(divides);
+    checkpoint_();
     const std::vector<CellIndex> changed = reunite(divides);
+    checkpoint_();
     for (const Divide divide : divides) mark(divide);
     for (const CellIndex cell : changed)
       for (const Divide divide : around(cell)) mark(divide);
@@ -61,6 +66,7 @@ class Divider {
     constexpr CellIndex kBlock = 32;
     const auto gap = static_cast<std::uint32_t>(outlines_.gap);
     for (std::int32_t row = 0; row < space_.height(); ++row) {
+      if (row % kRowsBetweenCheckpoints == 0) checkpoint_();
       const CellIndex begin = space_.index(0, row), end = begin + space_.width();
       for (CellIndex cell = begin; cell < end; cell += kBlock) {
         const CellIndex stop = std::min(cell + kBlock, end);
@@ -187,6 +193,7 @@ class Divider {
   const Outlines& outlines_;
   const SideRule& rule_;
   EdgeGrid& edges_;
+  const Checkpoint& checkpoint_;
   CellIndex stride_;
   std::array<CellIndex, 4> step_;
   std::map<CellIndex, std::int64_t> distance_of_changed_;
@@ -196,8 +203,9 @@ class Divider {
 }  // namespace
 
 std::vector<CellIndex> find_dividing_lines(FreeSpace& space, const Outlines& outlines,
-                                           const SideRule& rule, EdgeGrid& edges) {
-  return Divider(space, outlines, rule, edges).run();
+                                           const SideRule& rule, EdgeGrid& edges,
+                                           const Checkpoint& checkpoint) {
+  return Divider(space, outlines, rule, edges, checkpoint).run();
 }
 
 }  // namespace stope::topology

@@ -45,6 +45,7 @@ struct Divide {
 /// neighbour's. Therefore the lines enclose nothing but obstacles: cutting the plane along them
 /// leaves one piece for each obstacle, and they have one independent cycle for each hole.
 std::vector<CellIndex> find_dividing_lines(FreeSpace& space, const Outlines& outlines,
-                                           const SideRule& rule, EdgeGrid& edges);
+                                           const SideRule& rule, EdgeGrid& edges,
+                                           const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

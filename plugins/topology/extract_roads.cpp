@@ -16,11 +16,13 @@ constexpr double kJunctionShare = 1.5;
 
 /// Free space, its outlines and the nearest of them for each cell.
 struct Terrain {
-  Terrain(const OccupancyGrid& grid, const ExtractionParams& params, std::int32_t gap)
-      : space(make_free_space(grid, {params.occupied_threshold, params.unknown_is_obstacle})),
+  Terrain(const OccupancyGrid& grid, const ExtractionParams& params, std::int32_t gap,
+          const Checkpoint& checkpoint)
+      : space(make_free_space(grid, {params.occupied_threshold, params.unknown_is_obstacle},
+                              checkpoint)),
         edges(space.width(), space.height()),
-        outlines(trace_outlines(space, edges, cells_of_area(grid, params), gap)) {
-    find_nearest_outline(space, outlines, edges);
+        outlines(trace_outlines(space, edges, cells_of_area(grid, params), gap, checkpoint)) {
+    find_nearest_outline(space, outlines, edges, checkpoint);
   }
   static double cells_of_area(const OccupancyGrid& grid, const ExtractionParams& params) {
     return params.min_obstacle_area / (grid.frame.resolution * grid.frame.resolution);
@@ -37,35 +39,45 @@ void drop_below_clearance(LineNetwork& network, const GridFrame& frame, double c
 
 }  // namespace
 
-RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& params) {
+RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                          const Checkpoint& checkpoint) {
   constexpr std::int32_t kGap = 64;
-  Terrain terrain(grid, params, kGap);
-  const auto corners = find_dividing_lines(
-      terrain.space, terrain.outlines, SideRule::between_outlines(terrain.outlines), terrain.edges);
+  Terrain terrain(grid, params, kGap, checkpoint);
+  const auto corners =
+      find_dividing_lines(terrain.space, terrain.outlines,
+                          SideRule::between_outlines(terrain.outlines), terrain.edges, checkpoint);
   LineNetwork network =
       trace_lines(terrain.space, terrain.outlines, terrain.edges, corners, {}).network;
+  checkpoint();
   drop_below_clearance(network, grid.frame, params.min_clearance);
+  checkpoint();
   merge_junctions(network, kJunctionShare);
+  checkpoint();
   straighten_junctions(network);
   return to_road_graph(network, terrain.outlines, terrain.edges, terrain.space, grid.frame,
-                       params.simplify);
+                       params.simplify, checkpoint);
 }
 
 RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& params,
-                        const BranchParams& branches) {
+                        const BranchParams& branches, const Checkpoint& checkpoint) {
   // Both sides of a branch that reaches so far are at least as long.
   const double reach = branches.min_branch / grid.frame.resolution;
   const auto gap = static_cast<std::int32_t>(std::clamp(std::floor(reach), 3.0, 1e6));
-  Terrain terrain(grid, params, gap);
-  const auto corners = find_dividing_lines(
-      terrain.space, terrain.outlines, SideRule::between_sides(terrain.outlines), terrain.edges);
-  LineNetwork network = connect_pieces(terrain.space, terrain.outlines, terrain.edges, corners);
+  Terrain terrain(grid, params, gap, checkpoint);
+  const auto corners =
+      find_dividing_lines(terrain.space, terrain.outlines,
+                          SideRule::between_sides(terrain.outlines), terrain.edges, checkpoint);
+  LineNetwork network =
+      connect_pieces(terrain.space, terrain.outlines, terrain.edges, corners, checkpoint);
+  checkpoint();
   drop_below_clearance(network, grid.frame, params.min_clearance);
   prune_spurs(network, {reach, branches.min_branch_share});
+  checkpoint();
   merge_junctions(network, kJunctionShare);
+  checkpoint();
   straighten_junctions(network);
   return to_road_graph(network, terrain.outlines, terrain.edges, terrain.space, grid.frame,
-                       params.simplify);
+                       params.simplify, checkpoint);
 }
 
 }  // namespace stope::topology

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plugins/topology/checkpoint.hpp"
 #include "plugins/topology/prune_spurs.hpp"
 #include "stope/payloads/occupancy_grid.hpp"
 #include "stope/payloads/road_graph.hpp"
@@ -13,6 +14,7 @@ struct ExtractionParams {
   double simplify = 0.2;
   double occupied_threshold = 0.5;
   bool unknown_is_obstacle = true;
+  bool allow_empty = false;  ///< heeded by the stages: the functions below give empty graphs
 };
 
 /// When voronoi keeps a branch that ends; metres.
@@ -22,10 +24,11 @@ struct BranchParams {
 };
 
 /// Roads between different obstacles only.
-RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& params);
+RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                          const Checkpoint& checkpoint = never_stop);
 
 /// Roads between different obstacles and between different sides of one, dead ends included.
 RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& params,
-                        const BranchParams& branches);
+                        const BranchParams& branches, const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

@@ -44,7 +44,8 @@ std::uint8_t least_occupied(const OccupancyRule& rule) {
 
 }  // namespace
 
-FreeSpace make_free_space(const OccupancyGrid& grid, const OccupancyRule& rule) {
+FreeSpace make_free_space(const OccupancyGrid& grid, const OccupancyRule& rule,
+                          const Checkpoint& checkpoint) {
   check(grid);
   FreeSpace space(grid.frame.width, grid.frame.height);
   const std::int32_t width = space.width(), height = space.height();
@@ -54,6 +55,7 @@ FreeSpace make_free_space(const OccupancyGrid& grid, const OccupancyRule& rule) 
   std::fill_n(space.padded_row(height), space.stride(), kObstacle);
   bool any_free = false;
   for (std::int32_t row = 0; row < height; ++row) {
+    if (row % kRowsBetweenCheckpoints == 0) checkpoint();
     const std::uint8_t* from =
         grid.cells.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
     std::uint8_t* to = space.padded_row(row);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "plugins/topology/checkpoint.hpp"
 #include "plugins/topology/padded_grid.hpp"
 #include "stope/payloads/occupancy_grid.hpp"
 
@@ -30,6 +31,7 @@ using FreeSpace = PaddedGrid<std::uint8_t>;
 
 /// Splits a grid into free cells and obstacles. Throws Error if its numbers contradict each other,
 /// if it has more than 2^31 cells, or if no cell is free.
-FreeSpace make_free_space(const OccupancyGrid& grid, const OccupancyRule& rule);
+FreeSpace make_free_space(const OccupancyGrid& grid, const OccupancyRule& rule,
+                          const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

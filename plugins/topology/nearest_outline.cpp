@@ -123,15 +123,19 @@ class RowEnvelope {
 };
 
 template <class Reach, class Number>
-void find(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges) {
+void find(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges,
+          const Checkpoint& checkpoint) {
   const CellIndex stride = space.stride();
   PaddedGrid<Reach> down(space.width(), space.height());
   std::fill_n(down.padded_row(-1), stride, Reach{0});
-  for (std::int32_t row = 0; row < space.height(); ++row)
+  for (std::int32_t row = 0; row < space.height(); ++row) {
+    if (row % kRowsBetweenCheckpoints == 0) checkpoint();
     step_reach(space.padded_row(row), down.padded_row(row - 1), down.padded_row(row), stride);
+  }
   std::vector<Reach> up(static_cast<std::size_t>(stride), 0);
   RowEnvelope<Reach, Number> envelope(outlines, edges);
   for (std::int32_t row = space.height(); row-- > 0;) {
+    if (row % kRowsBetweenCheckpoints == 0) checkpoint();
     step_reach(space.padded_row(row), up.data(), up.data(), stride);
     envelope.fill(row, space.padded_row(row), down.padded_row(row), up.data());
   }
@@ -139,12 +143,13 @@ void find(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges) {
 
 }  // namespace
 
-void find_nearest_outline(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges) {
+void find_nearest_outline(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges,
+                          const Checkpoint& checkpoint) {
   // The sum of two squares of at most 32 000 fits 32 bits, whose division is the faster one.
   if (space.width() < 32000 && space.height() < 32000) {
-    find<std::uint16_t, std::int32_t>(space, outlines, edges);
+    find<std::uint16_t, std::int32_t>(space, outlines, edges, checkpoint);
   } else {
-    find<std::uint32_t, std::int64_t>(space, outlines, edges);
+    find<std::uint32_t, std::int64_t>(space, outlines, edges, checkpoint);
   }
 }
 

@@ -7,7 +7,8 @@ namespace stope::topology {
 /// Finds for every free cell the outline edge of its nearest obstacle cell (Euclidean, exact, from
 /// centre to centre), on the side that faces it. Obstacle cells of `edges` are left alone. Among
 /// equally near obstacles a fixed one is taken.
-void find_nearest_outline(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges);
+void find_nearest_outline(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges,
+                          const Checkpoint& checkpoint = never_stop);
 
 /// Squared distance in cells from a free cell to the obstacle cell of an outline edge.
 inline std::int64_t squared_distance(const EdgeGrid& edges, const Outlines& outlines,

@@ -123,13 +123,15 @@ class Tracer {
 
 }  // namespace
 
-Outlines trace_outlines(FreeSpace& space, EdgeGrid& edges, double least_area, std::int32_t gap) {
+Outlines trace_outlines(FreeSpace& space, EdgeGrid& edges, double least_area, std::int32_t gap,
+                        const Checkpoint& checkpoint) {
   constexpr std::uint64_t kObstacles = 0x0101010101010101ULL * kObstacle;
   Outlines outlines;
   outlines.gap = gap;
   Tracer tracer(space, edges, least_area, outlines);
   const CellIndex stride = space.stride();
   for (std::int32_t row = 1; row <= space.height(); ++row) {
+    if (row % kRowsBetweenCheckpoints == 0) checkpoint();
     const CellIndex begin = space.index(0, row), end = begin + space.width();
     CellIndex cell = begin;
     for (; cell + 8 <= end; cell += 8) {

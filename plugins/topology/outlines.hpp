@@ -42,6 +42,7 @@ using EdgeGrid = PaddedGrid<std::int32_t>;
 /// Walks all outlines, marks their cells kOnOutline and notes their place in `edges`. Obstacles
 /// whose outer outline encloses less than `least_area` cells become free, with all they enclose.
 /// `gap` as in Outlines. Cost: one look at every cell, then linear in the outlines' length.
-Outlines trace_outlines(FreeSpace& space, EdgeGrid& edges, double least_area, std::int32_t gap);
+Outlines trace_outlines(FreeSpace& space, EdgeGrid& edges, double least_area, std::int32_t gap,
+                        const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

@@ -73,7 +73,8 @@ RoadVertex to_vertex(const LinePoint& point, const GridFrame& frame) {
 }  // namespace
 
 RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
-                        const FreeSpace& space, const GridFrame& frame, double tolerance) {
+                        const FreeSpace& space, const GridFrame& frame, double tolerance,
+                        const Checkpoint& checkpoint) {
   const DistanceField field(outlines, edges, space);
   RoadGraph graph;
   for (const auto& node : network.nodes) {
@@ -81,6 +82,7 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
     graph.nodes.push_back({0, vertex.x, vertex.y, vertex.z});
   }
   for (const Line& line : network.lines) {
+    checkpoint();
     std::vector<LinePoint> smooth = smooth_line(line.points, kSmoothingReach, kSmoothingShare);
     for (LinePoint& point : smooth) point.distance = field.at(point);
     const auto points = simplify_line(smooth, tolerance / frame.resolution);

@@ -11,6 +11,7 @@ namespace stope::topology {
 /// canonical road graph. Clearance is measured to the obstacle's edge, taken half a cell before its
 /// centre; an edge's width is twice the median clearance along it.
 RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
-                        const FreeSpace& space, const GridFrame& frame, double tolerance);
+                        const FreeSpace& space, const GridFrame& frame, double tolerance,
+                        const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <string>
+
 #include "plugins/topology/describe_extraction.hpp"
 #include "plugins/topology/extract_roads.hpp"
 #include "stope/stope.hpp"
@@ -32,9 +36,18 @@ class Voronoi final : public Map<RoadGraph(OccupancyGrid)> {
   }
 
   RoadGraph apply(const OccupancyGrid& grid, Context& context) const {
-    RoadGraph roads = voronoi_roads(grid, params, params);
-    report_roads(roads, context);
+    RoadGraph roads = voronoi_roads(grid, params, params, [&] { context.stop_if_cancelled(); });
+    report_roads(roads, params, why_none(), context);
     return roads;
+  }
+
+ private:
+  std::string why_none() const {
+    return fmt::format(
+        "every way is narrower than twice min_clearance ({} m), or no branch is as long as "
+        "min_branch ({} m) and min_branch_share ({}) ask for; lower them, or check the map's "
+        "resolution",
+        params.min_clearance, params.min_branch, params.min_branch_share);
   }
 };
 

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <string>
+
 #include "plugins/topology/describe_extraction.hpp"
 #include "plugins/topology/extract_roads.hpp"
 #include "stope/stope.hpp"
@@ -24,9 +28,18 @@ class Watershed final : public Map<RoadGraph(OccupancyGrid)> {
   }
 
   RoadGraph apply(const OccupancyGrid& grid, Context& context) const {
-    RoadGraph roads = watershed_roads(grid, params);
-    report_roads(roads, context);
+    RoadGraph roads = watershed_roads(grid, params, [&] { context.stop_if_cancelled(); });
+    report_roads(roads, params, why_none(), context);
     return roads;
+  }
+
+ private:
+  std::string why_none() const {
+    return fmt::format(
+        "a watershed separates obstacles, so it needs at least one obstacle or hole inside the "
+        "free space that is larger than min_obstacle_area ({} m^2), and ways round it wider than "
+        "twice min_clearance ({} m); topology/voronoi also finds roads without loops",
+        params.min_obstacle_area, params.min_clearance);
   }
 };
 
