@@ -13,13 +13,17 @@
 namespace stope::topology {
 namespace {
 
+constexpr std::size_t kEdgesBetweenCheckpoints = 1024;
+
 class Tracer {
  public:
-  Tracer(FreeSpace& space, EdgeGrid& edges, double least_area, Outlines& outlines)
+  Tracer(FreeSpace& space, EdgeGrid& edges, double least_area, Outlines& outlines,
+         const Checkpoint& checkpoint)
       : space_(space),
         edges_(edges),
         least_area_(least_area),
         outlines_(outlines),
+        checkpoint_(checkpoint),
         step_{1, space.stride(), -1, -space.stride()} {}
 
   /// Starts at the southern side of an obstacle cell.
@@ -56,6 +60,8 @@ class Tracer {
     int side = kSouth;
     do {
       number(cell, side);
+      // An outline can lead all over the map, through memory that nobody has touched yet.
+      if (outlines_.place.size() % kEdgesBetweenCheckpoints == 0) checkpoint_();
       // Area by Green: x dy along the sides walked northwards and southwards.
       if (side == kEast) area_ += column_ + 1;
       if (side == kWest) area_ -= column_;
@@ -116,6 +122,7 @@ class Tracer {
   EdgeGrid& edges_;
   double least_area_;
   Outlines& outlines_;
+  const Checkpoint& checkpoint_;
   std::array<CellIndex, 4> step_;
   std::int32_t column_ = 0, row_ = 0;
   std::int64_t area_ = 0;
@@ -128,7 +135,7 @@ Outlines trace_outlines(FreeSpace& space, EdgeGrid& edges, double least_area, st
   constexpr std::uint64_t kObstacles = 0x0101010101010101ULL * kObstacle;
   Outlines outlines;
   outlines.gap = gap;
-  Tracer tracer(space, edges, least_area, outlines);
+  Tracer tracer(space, edges, least_area, outlines, checkpoint);
   const CellIndex stride = space.stride();
   for (std::int32_t row = 1; row <= space.height(); ++row) {
     if (row % kRowsBetweenCheckpoints == 0) checkpoint();
