@@ -63,15 +63,16 @@ class Planner {
   Link take_far(const char* which, const FarPlace& end, const char* other) const {
     if (end.across_ring) {
       return take(which, end.place, "place",
-                  fmt::format("far side of the ring on which the {} lies", other));
+                  fmt::format("the far side of the ring on which the {} lies", other));
     }
-    return take(which, end.place, "node", fmt::format("one farthest from the {} by road", other));
+    return take(which, end.place, "node",
+                fmt::format("the one farthest from the {} by road", other));
   }
 
   Link take(const char* which, RoadPlace place, const char* what, const std::string& why) const {
     const Vector2 position = position_of(network_, place);
-    say_(fmt::format("no {} is given: the {} at {} is taken, the {}", which, what,
-                     text_of(position), why));
+    say_(fmt::format("no {} is given: the {} at {} is taken, {}", which, what, text_of(position),
+                     why));
     return {place, {position}};
   }
 

@@ -35,8 +35,9 @@ void describe_extraction(About<Stage>& about) {
 inline void report_roads(const RoadGraph& roads, const ExtractionParams& params,
                          std::string_view why, Context& context) {
   if (!roads.edges.empty()) {
-    context.info(
-        fmt::format("{} roads meet or end in {} places", roads.edges.size(), roads.nodes.size()));
+    context.info(fmt::format("{} {} in {} {}", roads.edges.size(),
+                             roads.edges.size() == 1 ? "road meets or ends" : "roads meet or end",
+                             roads.nodes.size(), roads.nodes.size() == 1 ? "place" : "places"));
     return;
   }
   const std::string sentence =
