@@ -11,7 +11,7 @@ namespace {
 std::string kind_text(const ParameterInfo& parameter) {
   switch (parameter.kind) {
     case ParameterKind::kBool:
-      return "true | false";
+      return "true or false";
     case ParameterKind::kInteger:
       return "integer";
     case ParameterKind::kReal:
