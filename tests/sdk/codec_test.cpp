@@ -1,6 +1,7 @@
+#include "stope/codec.hpp"
+
 #include <gtest/gtest.h>
 
-#include "stope/codec.hpp"
 #include "stope/digest.hpp"
 #include "stope/layout.hpp"
 #include "stope/payloads.hpp"
