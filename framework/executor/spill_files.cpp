@@ -52,6 +52,7 @@ class FileSource final : public ByteSource {
   FileSource(const SpillPlace& place)
       : file_(*place.file), offset_(place.offset), left_(place.size) {}
   void read(void* data, std::size_t size) override {
+    if (size == 0) return;  // an empty vector has no place to read to
     if (size > remaining()) throw Error("the encoded payload ends too early");
     auto* to = static_cast<char*>(data);
     const std::size_t buffered = std::min(size, buffer_.size() - used_);
