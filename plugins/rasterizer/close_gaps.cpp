@@ -11,13 +11,6 @@
 namespace stope::rasterizer {
 namespace {
 
-Mask cells_equal(const OccupancyGrid& grid, std::uint8_t value) {
-  Mask mask{grid.frame.width, grid.frame.height, std::vector<std::uint8_t>(grid.cells.size())};
-  for (std::size_t i = 0; i < grid.cells.size(); ++i)
-    mask.cells[i] = grid.cells[i] == value ? 1 : 0;
-  return mask;
-}
-
 float ground_at(const LocalGround& ground, const Vector2& point) {
   const auto cell = ground.frame.cell_at(point.x(), point.y());
   return cell ? ground.height[ground.frame.place(*cell)] : std::numeric_limits<float>::quiet_NaN();

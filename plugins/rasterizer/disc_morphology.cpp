@@ -43,6 +43,13 @@ std::vector<std::uint16_t> distance_along_columns(const Mask& mask) {
 
 }  // namespace
 
+Mask cells_equal(const OccupancyGrid& grid, std::uint8_t value) {
+  Mask mask{grid.frame.width, grid.frame.height, std::vector<std::uint8_t>(grid.cells.size())};
+  for (std::size_t i = 0; i < grid.cells.size(); ++i)
+    mask.cells[i] = grid.cells[i] == value ? 1 : 0;
+  return mask;
+}
+
 Mask dilate(const Mask& mask, double radius) {
   const auto reach = static_cast<std::int32_t>(std::clamp(std::floor(radius), 0.0, 65000.0));
   std::vector<std::int32_t> half_chord(static_cast<std::size_t>(reach) + 1);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "stope/payloads/occupancy_grid.hpp"
+
 namespace stope::rasterizer {
 
 /// A mask over a grid: row-major, 1 set, 0 not.
@@ -10,6 +12,9 @@ struct Mask {
   std::int32_t width = 0, height = 0;
   std::vector<std::uint8_t> cells;
 };
+
+/// The cells of a grid that hold exactly `value`.
+Mask cells_equal(const OccupancyGrid& grid, std::uint8_t value);
 
 /// Sets every cell whose centre lies within `radius` cells of a set cell's centre. Exact. O(cells).
 Mask dilate(const Mask& mask, double radius);

@@ -16,13 +16,6 @@
 namespace stope::rasterizer {
 namespace {
 
-Mask cells_equal(const OccupancyGrid& grid, std::uint8_t value) {
-  Mask mask{grid.frame.width, grid.frame.height, std::vector<std::uint8_t>(grid.cells.size())};
-  for (std::size_t i = 0; i < grid.cells.size(); ++i)
-    mask.cells[i] = grid.cells[i] == value ? 1 : 0;
-  return mask;
-}
-
 /// Where the middle of a vehicle may be. `radius` in cells.
 Mask room_for(const OccupancyGrid& grid, double radius) {
   Mask room = dilate(cells_equal(grid, OccupancyGrid::kFree), radius / 2);
