@@ -13,7 +13,8 @@ namespace {
 
 /// Enough for one wake-up to serve several small items, and for every worker to find work while the
 /// oldest item is slow.
-std::size_t places_for(int threads) {
+std::size_t places_for(const StageInfo& info, int threads) {
+  if (info.in_order) return 1;
   return std::max<std::size_t>(16, 2 * static_cast<std::size_t>(threads));
 }
 
@@ -50,9 +51,13 @@ Outcome MapProcess::work() {
 }
 
 void MapProcess::open() {
-  window_ = std::make_shared<MapWindow>(pool_, shared_doorbell(), places_for(pool_.threads()),
+  window_ = std::make_shared<MapWindow>(pool_, shared_doorbell(),
+                                        places_for(instance_->info(), pool_.threads()),
                                         [this](MapItem& item) { apply(item); });
-  for (MapItem* item : window_->all()) item->inputs.resize(inputs().size());
+  for (MapItem* item : window_->all()) {
+    item->inputs.resize(inputs().size());
+    item->outputs.resize(outputs().size());
+  }
   for (std::size_t port = 0; port < inputs().size(); ++port) {
     if (inputs()[port]->wired() && inputs()[port]->stream()) streams_.push_back(port);
   }
@@ -153,12 +158,15 @@ bool MapProcess::write_done() {
       throw Error(item.outcome.sentence);
     }
     work_ += item.work;
-    std::shared_ptr<RunPayload> output = std::move(item.output);
-    if (output) unwritten_bytes_.fetch_sub(output->bytes());
+    written_.swap(item.outputs);
+    item.outputs.resize(written_.size());
     const Stamp stamp = item.stamp;
     const std::uint64_t index = item.index;
     window_->advance();
-    outputs()[0]->put(stamp, index, std::move(output));
+    for (std::size_t port = 0; port < written_.size(); ++port) {
+      if (written_[port]) unwritten_bytes_.fetch_sub(written_[port]->bytes());
+      outputs()[port]->put(stamp, index, std::move(written_[port]));
+    }
     wrote = true;
   }
   return wrote;
@@ -170,13 +178,15 @@ void MapProcess::apply(MapItem& item) {
   const Outcome kept = guarded([&] {
     context_.stop_if_cancelled();
     ItemContext context(context_, item.index, item.stamp);
-    std::shared_ptr<const void> output;
-    applied = instance_->apply(item.inputs, context, output);
+    std::vector<std::shared_ptr<const void>> made(outputs().size());
+    applied = instance_->apply(item.inputs, context, made);
     for (const std::size_t port : streams_) item.inputs[port] = {};
     if (!applied) return;
-    if (!outputs()[0]->wanted()) return;
-    item.output = outputs()[0]->make_payload(std::move(output));
-    unwritten_bytes_.fetch_add(item.output->bytes());
+    for (std::size_t port = 0; port < made.size(); ++port) {
+      if (!outputs()[port]->wanted()) continue;
+      item.outputs[port] = outputs()[port]->make_payload(std::move(made[port]));
+      unwritten_bytes_.fetch_add(item.outputs[port]->bytes());
+    }
   });
   item.outcome = kept ? applied : kept;
   item.work = trace().now() - begin;

@@ -43,6 +43,7 @@ class MapProcess final : public Process {
   std::shared_ptr<MapWindow> window_;
   std::vector<std::size_t> streams_;                      ///< ports that carry a stream
   std::vector<std::shared_ptr<const void>> held_values_;  ///< stay in memory while the map runs
+  std::vector<std::shared_ptr<RunPayload>> written_;      ///< what is just being written
   std::size_t most_bytes_;
   std::atomic<std::size_t> unwritten_bytes_{0};  ///< of payloads in the window
   std::int64_t work_ = 0;

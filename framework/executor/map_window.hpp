@@ -18,7 +18,7 @@ struct MapItem {
   std::vector<AnyItem> inputs;  ///< one for each port
   Stamp stamp = 0;
   std::uint64_t index = 0;
-  std::shared_ptr<RunPayload> output;  ///< none if nobody reads it
+  std::vector<std::shared_ptr<RunPayload>> outputs;  ///< one for each port; none if nobody reads it
   Outcome outcome;
   std::int64_t work = 0;  ///< ns
 };

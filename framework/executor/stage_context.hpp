@@ -44,6 +44,7 @@ class ItemContext final : public Context {
   void log(LogLevel level, std::string_view sentence) override;
   void progress(double fraction) override { stage_.progress(fraction); }
   std::uint64_t seed() const override { return mix_seed(stage_.seed(), index_); }
+  std::uint64_t index() const override { return index_; }
   bool cancelled() const override { return stage_.cancelled(); }
   int threads() const override { return stage_.threads(); }
   std::filesystem::path temporary_folder() override { return stage_.temporary_folder(); }

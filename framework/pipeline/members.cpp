@@ -19,12 +19,13 @@ Shape required_inputs(const StageInfo& info) {
 }
 
 // A stage with one output may call it what it likes; several are told apart by their names.
-Shape outputs(const StageInfo& info) {
-  Shape shape;
-  for (const PortInfo& port : info.outputs)
-    shape.emplace_back(info.outputs.size() == 1 ? "" : port.name, port.type, port.layout);
-  std::sort(shape.begin(), shape.end());
-  return shape;
+bool gives_all_of(const StageInfo& other, const StageInfo& stage) {
+  const bool by_type = other.outputs.size() == 1 && stage.outputs.size() == 1;
+  return std::all_of(stage.outputs.begin(), stage.outputs.end(), [&](const PortInfo& wanted) {
+    return std::any_of(other.outputs.begin(), other.outputs.end(), [&](const PortInfo& port) {
+      return same_payload(port, wanted) && (by_type || port.name == wanted.name);
+    });
+  });
 }
 
 bool takes_wires(const StageInfo& candidate, const std::vector<StageDraft>& drafts,
@@ -73,7 +74,7 @@ std::vector<std::string> interchangeable_members(const Catalogue& catalogue, std
   for (const StageRecord& other : catalogue.stages())
     if (family_of(other.info.id) == family_of(stage->info.id) &&
         required_inputs(other.info) == required_inputs(stage->info) &&
-        outputs(other.info) == outputs(stage->info))
+        gives_all_of(other.info, stage->info))
       ids.push_back(other.info.id);
   return ids;
 }

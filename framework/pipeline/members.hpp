@@ -9,7 +9,7 @@
 namespace stope {
 
 /// The ids of all stages that can take the place of this one by changing `use` alone: of the same
-/// family, with the same required inputs (names and types) and the same output types. The stage
+/// family, with the same required inputs (names and types) and at least its outputs. The stage
 /// itself is among them. Empty if there is no such stage.
 std::vector<std::string> interchangeable_members(const Catalogue& catalogue, std::string_view id);
 

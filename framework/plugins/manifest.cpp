@@ -117,6 +117,7 @@ void visit_stage(auto& visit, auto& stage) {
   visit.list(stage.outputs, [&](auto& port) { visit_port(visit, port); });
   visit.list(stage.parameters, [&](auto& parameter) { visit_parameter(visit, parameter); });
   visit(stage.map);
+  visit(stage.in_order);
   visit(stage.deterministic);
   visit(stage.live);
   visit(stage.extensions);

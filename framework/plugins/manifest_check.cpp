@@ -143,8 +143,8 @@ void check_stage(const StageInfo& stage) {
   check_ports(stage, stage.inputs, "input");
   check_ports(stage, stage.outputs, "output");
   check_parameters(stage);
-  if (stage.map && stage.outputs.size() != 1) {
-    refuse(stage, "describe() must call ports() exactly once, since it is a Map");
+  if (stage.map && stage.outputs.empty()) {
+    refuse(stage, "describe() must call ports(), since it is a Map");
   }
   if (!stage.extensions.empty() &&
       (stage.outputs.size() != 1 || stage.outputs[0].type != "stope/Artefact@1")) {

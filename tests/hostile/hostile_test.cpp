@@ -81,7 +81,7 @@ TEST_F(HostilePlugins, NoNote) {
 
 TEST_F(HostilePlugins, WrongEpoch) {
   expect_refused(add("wrong_epoch"), PluginStatus::kOtherEpoch,
-                 "built for ABI epoch 2, this Stope has epoch 1: rebuild it");
+                 "built for ABI epoch 3, this Stope has epoch 2: rebuild it");
 }
 
 TEST_F(HostilePlugins, OtherEigenAlignment) {

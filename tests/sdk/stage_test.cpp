@@ -75,9 +75,9 @@ TEST(Stage, AMapIsAppliedThroughItsInstance) {
   auto value = std::make_shared<const OccupancyGrid>(grid);
   const AnyItem inputs[] = {
       {0, 0, std::make_shared<::stope::testing::MemoryPayload<OccupancyGrid>>(value)}, {}};
-  std::shared_ptr<const void> output;
+  std::shared_ptr<const void> output[1];
   ASSERT_TRUE(instance.apply(inputs, context, output));
-  EXPECT_EQ(static_cast<const OccupancyGrid*>(output.get())->frame.resolution, 3.5);
+  EXPECT_EQ(static_cast<const OccupancyGrid*>(output[0].get())->frame.resolution, 3.5);
 }
 
 TEST(Stage, AStageRunsThroughItsInstance) {

@@ -34,7 +34,7 @@ struct PipelineGraph {
 
 PipelineGraph pipeline_graph(const Plan& plan);
 
-/// `RoadGraph` of `stope/RoadGraph@1`.
+/// `RoadGraph` of `stope/RoadGraph@2`.
 std::string short_type(const std::string& type);
 
 /// A parameter's value as a person writes it: `3.5 m`, `[0, 0]`, `nearest`.

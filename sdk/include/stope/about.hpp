@@ -64,13 +64,24 @@ class About {
     return info_.extensions = std::move(extensions), *this;
   }
 
-  /// Of a Map: the names of its inputs in the order of its signature, then of its output.
+  /// Of a Map that keeps something of earlier items to be faster at the next, never different: it
+  /// is given one item at a time, in order. What it keeps is a mutable member.
+  About& in_order() {
+    static_assert(S::kMap, "in_order() is for a Map; a Stage reads its inputs in order anyway");
+    return info_.in_order = true, *this;
+  }
+
+  /// Of a Map: the names of its inputs in the order of its signature, then of its outputs.
   template <class... Names>
   About& ports(Names... names) {
     static_assert(S::kMap, "ports() is for a Map; a Stage declares each with input() and output()");
     using Inputs = typename S::InputTypes;
-    static_assert(sizeof...(Names) == std::tuple_size_v<Inputs> + 1,
-                  "one name for each input, then the output's");
+    using Outputs = typename S::OutputTypes;
+    constexpr std::size_t kInputs = std::tuple_size_v<Inputs>;
+    constexpr std::size_t kOutputs = std::tuple_size_v<Outputs>;
+    static_assert(sizeof...(Names) == kInputs + kOutputs,
+                  "one name for each input, then one for each output");
+    if (info_.map) throw Error("describe() calls ports() more than once");
     const std::vector<std::string> list{std::string(names)...};
     info_.map = true;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -79,9 +90,14 @@ class About {
                list[I], true, traits::MapInput<std::tuple_element_t<I, Inputs>>::kRequired, "")),
        ...);
     }
-    (std::make_index_sequence<std::tuple_size_v<Inputs>>());
-    info_.outputs.push_back(traits::port_info<typename S::OutputType>(list.back(), true, true, ""));
-    bindings_.output_types.push_back(&payload_type<typename S::OutputType>());
+    (std::make_index_sequence<kInputs>());
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (info_.outputs.push_back(
+           traits::port_info<std::tuple_element_t<I, Outputs>>(list[kInputs + I], true, true, "")),
+       ...);
+      (bindings_.output_types.push_back(&payload_type<std::tuple_element_t<I, Outputs>>()), ...);
+    }
+    (std::make_index_sequence<kOutputs>());
     return *this;
   }
 

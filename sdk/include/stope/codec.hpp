@@ -63,6 +63,7 @@ class STOPE_API ByteReader final : public ByteSource {
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
   void read(void* data, std::size_t size) override {
     if (size > bytes_.size()) throw Error("the encoded payload ends too early");
+    if (size == 0) return;  // an empty vector's data may be null
     std::memcpy(data, bytes_.data(), size);
     bytes_ = bytes_.subspan(size);
   }

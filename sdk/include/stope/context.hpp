@@ -24,6 +24,8 @@ class STOPE_API Context {
   /// A seed that depends on the run's seed, the stage's name and, in a Map, the item's index;
   /// nothing else.
   virtual std::uint64_t seed() const = 0;
+  /// Of a Map: the index of the item in hand, which ChangedWindow::since of later items refers to.
+  virtual std::uint64_t index() const { return 0; }
   /// Whether the run is being stopped: long loops ask now and then and give up.
   virtual bool cancelled() const = 0;
   /// How many threads oneTBB has for this run. Results must not depend on it.

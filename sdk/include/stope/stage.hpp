@@ -23,6 +23,11 @@ class Stage {
 template <class Signature>
 class Map;
 
+/// What a Map with more than one output gives: Map<Outputs<RoadGraph, RegionMap>(OccupancyGrid)>,
+/// whose apply() returns std::tuple<RoadGraph, RegionMap>.
+template <PayloadStruct... Values>
+struct Outputs {};
+
 /// A pure function of one item from each input, which the framework calls for several items at
 /// once. `Inputs` are payload structs or Optional of them; streams among them are read in step and
 /// must carry equal stamps.
@@ -30,7 +35,16 @@ template <PayloadStruct Output, class... Inputs>
 class Map<Output(Inputs...)> {
  public:
   static constexpr bool kMap = true;
-  using OutputType = Output;
+  using OutputTypes = std::tuple<Output>;
+  using InputTypes = std::tuple<Inputs...>;
+  virtual ~Map() = default;
+};
+
+template <PayloadStruct... Values, class... Inputs>
+class Map<Outputs<Values...>(Inputs...)> {
+ public:
+  static constexpr bool kMap = true;
+  using OutputTypes = std::tuple<Values...>;
   using InputTypes = std::tuple<Inputs...>;
   virtual ~Map() = default;
 };

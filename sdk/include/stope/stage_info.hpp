@@ -26,9 +26,10 @@ struct StageInfo {
   std::string notes;    ///< what a user must know before choosing it
   std::vector<PortInfo> inputs, outputs;
   std::vector<ParameterInfo> parameters;
-  /// A pure function of one item from each input. Its output is a stream if a wired input is one,
-  /// whatever PortInfo::stream says; both its inputs and its output take streams and values.
+  /// A pure function of one item from each input. Its outputs are streams if a wired input is one,
+  /// whatever PortInfo::stream says; its inputs and outputs take streams and values.
   bool map = false;
+  bool in_order = false;      ///< of a map: is given one item at a time, in order
   bool deterministic = true;  ///< same inputs, same bytes
   bool live = false;          ///< may drop items when the run cannot keep pace
   std::vector<std::string>

@@ -31,9 +31,9 @@ class StageInstance {
   /// Runs a Stage to its end.
   virtual Outcome run(Context& context) noexcept = 0;
   /// Applies a Map to one item of each input, in the order of info().inputs; an empty item where
-  /// nothing is wired.
+  /// nothing is wired. Fills `outputs`, in the order of info().outputs.
   virtual Outcome apply(std::span<const AnyItem> inputs, Context& context,
-                        std::shared_ptr<const void>& output) const noexcept = 0;
+                        std::span<std::shared_ptr<const void>> outputs) const noexcept = 0;
 };
 
 /// Calls `work` and turns what it throws into an Outcome.
@@ -84,16 +84,18 @@ class InstanceOf final : public StageInstance {
     }
   }
 
-  Outcome apply([[maybe_unused]] std::span<const AnyItem> inputs, [[maybe_unused]] Context& context,
-                [[maybe_unused]] std::shared_ptr<const void>& output) const noexcept override {
+  Outcome apply(
+      [[maybe_unused]] std::span<const AnyItem> inputs, [[maybe_unused]] Context& context,
+      [[maybe_unused]] std::span<std::shared_ptr<const void>> outputs) const noexcept override {
     if constexpr (S::kMap) {
       return guarded([&] {
         using Inputs = typename S::InputTypes;
         [&]<std::size_t... I>(std::index_sequence<I...>) {
           // Held in one tuple so that each payload stays in memory until apply() returns.
           const std::tuple items{Item<Element<I, Inputs>>(inputs[I])...};
-          output = std::make_shared<const typename S::OutputType>(stage_.apply(
-              argument<std::tuple_element_t<I, Inputs>>(std::get<I>(items))..., context));
+          share(stage_.apply(argument<std::tuple_element_t<I, Inputs>>(std::get<I>(items))...,
+                             context),
+                outputs);
         }
         (std::make_index_sequence<std::tuple_size_v<Inputs>>());
       });
@@ -113,6 +115,18 @@ class InstanceOf final : public StageInstance {
     } else {
       return Declared(item ? &*item : nullptr);
     }
+  }
+
+  template <class... Values>
+  static void share(std::tuple<Values...> values, std::span<std::shared_ptr<const void>> outputs) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((outputs[I] = std::make_shared<const Values>(std::move(std::get<I>(values)))), ...);
+    }
+    (std::index_sequence_for<Values...>());
+  }
+  template <class Value>
+  static void share(Value value, std::span<std::shared_ptr<const void>> outputs) {
+    outputs[0] = std::make_shared<const Value>(std::move(value));
   }
 
   StageInfo info_;

@@ -34,7 +34,7 @@ TEST(Stages, AreInterchangeable) {
     EXPECT_EQ(info.inputs[0].type, "stope/OccupancyGrid@1");
     ASSERT_EQ(info.outputs.size(), 1U);
     EXPECT_EQ(info.outputs[0].name, "roads");
-    EXPECT_EQ(info.outputs[0].type, "stope/RoadGraph@1");
+    EXPECT_EQ(info.outputs[0].type, "stope/RoadGraph@2");
   }
   // What watershed can be told, voronoi can be told as well.
   ASSERT_LE(watershed.parameters.size(), voronoi.parameters.size());

@@ -28,12 +28,15 @@ enum class RoadDirection : std::uint32_t { kBoth = 0, kForward = 1, kBackward = 
 
 /// A road between two nodes: a polyline from the first node's place to the second's, both included.
 struct RoadEdge {
-  std::uint64_t id = 0;                              ///< stable, as a node's
-  std::uint32_t from = 0, to = 0;                    ///< places in RoadGraph::nodes
-  std::uint32_t first_vertex = 0, vertex_count = 0;  ///< run in RoadGraph::vertices, >= 2
-  double length = 0;                                 ///< metres along the polyline
-  double min_clearance = 0, mean_clearance = 0;      ///< metres to the nearest obstacle
-  double width = 0;                                  ///< metres, of the drivable strip
+  std::uint64_t id = 0;                                     ///< stable, as a node's
+  std::uint32_t from = 0, to = 0;                           ///< places in RoadGraph::nodes
+  std::uint32_t first_vertex = 0, vertex_count = 0;         ///< run in RoadGraph::vertices, >= 2
+  double length = 0;                                        ///< metres along the polyline
+  double min_clearance = 0, mean_clearance = 0;             ///< metres to the nearest obstacle
+  double width = 0;                                         ///< metres, of the drivable strip
+  double grade = std::numeric_limits<double>::quiet_NaN();  ///< steepest, rise over run, >= 0; NaN:
+                                                            ///< no elevation
+  double curvature = 0;                                     ///< tightest, 1/m, >= 0
   double lane_width = std::numeric_limits<double>::quiet_NaN();   ///< metres; NaN: not known
   double speed_limit = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: none
   RoadDirection direction = RoadDirection::kBoth;
@@ -48,6 +51,8 @@ struct RoadEdge {
     visit("min_clearance", s.min_clearance);
     visit("mean_clearance", s.mean_clearance);
     visit("width", s.width);
+    visit("grade", s.grade);
+    visit("curvature", s.curvature);
     visit("lane_width", s.lane_width);
     visit("speed_limit", s.speed_limit);
     visit("direction", s.direction);
@@ -71,7 +76,7 @@ struct RoadVertex {
 /// node and then their vertices, an edge's polyline from its lower node to its higher; so equal
 /// networks have equal digests.
 struct RoadGraph {
-  static constexpr std::string_view kType = "stope/RoadGraph@1";
+  static constexpr std::string_view kType = "stope/RoadGraph@2";
   std::vector<RoadNode> nodes;
   std::vector<RoadEdge> edges;
   std::vector<RoadVertex> vertices;

@@ -28,6 +28,7 @@ class MemoryContext final : public Context {
   void progress(double) override {}
   std::uint64_t seed() const override { return seed_; }
   void reseed(std::uint64_t seed) { seed_ = seed; }
+  std::uint64_t index() const override { return item; }
   bool cancelled() const override { return cancel; }
   int threads() const override { return 2; }
   std::filesystem::path temporary_folder() override {
@@ -42,6 +43,7 @@ class MemoryContext final : public Context {
 
   std::vector<std::string> sentences;
   bool cancel = false;
+  std::uint64_t item = 0;  ///< index of the item in hand
 
  private:
   std::uint64_t seed_;

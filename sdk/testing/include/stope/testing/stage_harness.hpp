@@ -39,11 +39,12 @@ class StageHarness {
         0, 0, std::make_shared<MemoryPayload<T>>(std::make_shared<const T>(std::move(value)))};
     return *this;
   }
+  /// What it gives at one of its outputs. May be called again with other inputs.
   template <class Output>
-  Output apply() {
-    std::shared_ptr<const void> output;
-    check(instance_->apply(inputs_, *context_, output));
-    return *static_cast<const Output*>(output.get());
+  Output apply(std::size_t output = 0) {
+    std::vector<std::shared_ptr<const void>> outputs(instance_->info().outputs.size());
+    check(instance_->apply(inputs_, *context_, outputs));
+    return *static_cast<const Output*>(outputs.at(output).get());
   }
 
   /// Of a Stage: its ports.
