@@ -74,7 +74,9 @@ std::vector<std::string> interchangeable_members(const Catalogue& catalogue, std
   for (const StageRecord& other : catalogue.stages())
     if (family_of(other.info.id) == family_of(stage->info.id) &&
         required_inputs(other.info) == required_inputs(stage->info) &&
-        gives_all_of(other.info, stage->info))
+        gives_all_of(other.info, stage->info) &&
+        // A source's parameters say where its data lies; one that gives more reads something else.
+        (!required_inputs(stage->info).empty() || gives_all_of(stage->info, other.info)))
       ids.push_back(other.info.id);
   return ids;
 }

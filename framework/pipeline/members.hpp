@@ -9,8 +9,8 @@
 namespace stope {
 
 /// The ids of all stages that can take the place of this one by changing `use` alone: of the same
-/// family, with the same required inputs (names and types) and at least its outputs. The stage
-/// itself is among them. Empty if there is no such stage.
+/// family, with the same required inputs (names and types) and at least its outputs; of a source just
+/// its outputs. The stage itself is among them. Empty if there is no such stage.
 std::vector<std::string> interchangeable_members(const Catalogue& catalogue, std::string_view id);
 
 /// The ids of other members of a drafted stage's family that its wires would fit: those it has and

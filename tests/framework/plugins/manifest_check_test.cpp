@@ -49,7 +49,7 @@ TEST(ManifestCheck, RefusesPortsThatCannotBe) {
   expect_part(complaint([](StageInfo& s) { s.outputs[0].type = "Sector"; }), "vendor/Name@1");
   expect_part(complaint([](StageInfo& s) { s.outputs[0].type = "acme/Sector@one"; }),
               "vendor/Name@1");
-  expect_part(complaint([](StageInfo& s) { s.outputs.clear(); }), "ports() exactly once");
+  expect_part(complaint([](StageInfo& s) { s.outputs.clear(); }), "must call ports()");
   expect_part(complaint([](StageInfo& s) { s.outputs.clear(), s.inputs.clear(); }), "no ports");
   expect_part(complaint([](StageInfo& s) { s.outputs[0].type = "stope/Path@1"; }),
               "it writes files");

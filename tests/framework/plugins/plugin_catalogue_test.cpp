@@ -34,9 +34,9 @@ TEST(PluginCatalogue, MakesAStageOfAPluginItFound) {
   const auto measures = std::make_shared<const Measures>(Measures{{"height"}, {2.0}, {"m"}, {""}});
   const AnyItem input{0, 0, std::make_shared<testing::MemoryPayload<Measures>>(measures)};
   testing::MemoryContext context;
-  std::shared_ptr<const void> output;
+  std::shared_ptr<const void> output[1];
   ASSERT_TRUE(stage->apply({&input, 1}, context, output));
-  EXPECT_EQ(static_cast<const Measures*>(output.get())->values, std::vector{6.0});
+  EXPECT_EQ(static_cast<const Measures*>(output[0].get())->values, std::vector{6.0});
 }
 
 TEST(PluginCatalogue, OpensNoLibraryWhoseManifestIsKept) {
