@@ -7,7 +7,7 @@
 
 namespace stope::map_source {
 
-class MovingAi final : public Stage {
+class Movingai final : public Stage {
  public:
   struct Params {
     std::filesystem::path map;
@@ -15,13 +15,13 @@ class MovingAi final : public Stage {
   } params;
   OutValue<OccupancyGrid> grid;
 
-  static void describe(About<MovingAi>& about) {
+  static void describe(About<Movingai>& about) {
     about.summary("Reads a map of the MovingAI benchmarks.")
         .from("Sturtevant, Benchmarks for Grid-Based Pathfinding, 2012; type octile")
         .notes(
             "`.`, `G` and `S` are free, `@`, `O`, `T` and `W` occupied; no cell is unknown. The "
             "lower-left corner of the map is at (0, 0), the file's first row the highest.")
-        .output("grid", &MovingAi::grid, "The map.")
+        .output("grid", &Movingai::grid, "The map.")
         .param("map", &Params::map, required() + existing(PathKind::kFile), "The .map file.")
         .param("resolution", &Params::resolution, "m", between(1e-3, 1e4),
                "How long a cell is taken to be: the file does not say.");
@@ -35,6 +35,6 @@ class MovingAi final : public Stage {
   }
 };
 
-STOPE_STAGE(MovingAi, "map_source/movingai")
+STOPE_STAGE(Movingai, "map_source/movingai")
 
 }  // namespace stope::map_source

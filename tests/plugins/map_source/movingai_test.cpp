@@ -8,7 +8,7 @@
 #include "tests/plugins/map_source/map_files.hpp"
 #include "tests/plugins/stage_harness.hpp"
 
-extern "C" const stope::StageEntry* stope_stage_MovingAi();
+extern "C" const stope::StageEntry* stope_stage_Movingai();
 
 namespace stope::map_source {
 namespace {
@@ -17,7 +17,7 @@ using Cells = std::vector<std::uint8_t>;
 constexpr std::uint8_t kF = OccupancyGrid::kFree, kO = OccupancyGrid::kOccupied;
 
 OccupancyGrid read(const std::filesystem::path& map, double resolution = 1.0) {
-  stope::testing::StageHarness stage(stope_stage_MovingAi());
+  stope::testing::StageHarness stage(stope_stage_Movingai());
   stope::testing::MemoryOutput<OccupancyGrid> grid;
   stage.set("map", map.string()).set("resolution", resolution).connect_output("grid", grid).run();
   return *grid.items.at(0).value;
