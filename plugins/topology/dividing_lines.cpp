@@ -21,12 +21,13 @@ namespace {
 class Divider {
  public:
   Divider(FreeSpace& space, const Outlines& outlines, const SideRule& rule, EdgeGrid& edges,
-          const Checkpoint& checkpoint)
+          const Checkpoint& checkpoint, std::vector<ReplacedEdge>* replaced)
       : space_(space),
         outlines_(outlines),
         rule_(rule),
         edges_(edges),
         checkpoint_(checkpoint),
+        replaced_(replaced),
         stride_(space.stride()),
         step_{1, stride_, -1, -stride_} {}
 
@@ -144,7 +145,9 @@ class Divider {
       least = there;
       edge = free(next) ? edges_[next] : edge_facing(next, (side + 2) % 4);
     }
-    distance_of_changed_.emplace(cell, own);
+    // A cell can be taken more than once; what was there first is its own.
+    if (distance_of_changed_.emplace(cell, own).second && replaced_)
+      replaced_->push_back({cell, edges_[cell]});
     edges_[cell] = edge;
   }
 
@@ -194,6 +197,7 @@ class Divider {
   const SideRule& rule_;
   EdgeGrid& edges_;
   const Checkpoint& checkpoint_;
+  std::vector<ReplacedEdge>* replaced_;
   CellIndex stride_;
   std::array<CellIndex, 4> step_;
   std::map<CellIndex, std::int64_t> distance_of_changed_;
@@ -204,8 +208,9 @@ class Divider {
 
 std::vector<CellIndex> find_dividing_lines(FreeSpace& space, const Outlines& outlines,
                                            const SideRule& rule, EdgeGrid& edges,
-                                           const Checkpoint& checkpoint) {
-  return Divider(space, outlines, rule, edges, checkpoint).run();
+                                           const Checkpoint& checkpoint,
+                                           std::vector<ReplacedEdge>* replaced) {
+  return Divider(space, outlines, rule, edges, checkpoint, replaced).run();
 }
 
 }  // namespace stope::topology

@@ -37,15 +37,23 @@ struct Divide {
   bool north = false;
 };
 
+/// A cell that was given a neighbour's edge instead of its own nearest one.
+struct ReplacedEdge {
+  CellIndex cell = 0;
+  OutlineEdge nearest = 0;
+};
+
 /// Marks all dividing lines in `space` and returns the places of the corners they pass, in no
 /// particular but a fixed order.
 ///
 /// Every cell is kept together with its nearest outline: where the grid would cut a cell off from
 /// it (exact influence zones of points can fall into pieces on a grid), `edges` is changed to a
-/// neighbour's. Therefore the lines enclose nothing but obstacles: cutting the plane along them
-/// leaves one piece for each obstacle, and they have one independent cycle for each hole.
+/// neighbour's; `replaced`, if given, says what was there. Therefore the lines enclose nothing but
+/// obstacles: cutting the plane along them leaves one piece for each obstacle, and they have one
+/// independent cycle for each hole.
 std::vector<CellIndex> find_dividing_lines(FreeSpace& space, const Outlines& outlines,
                                            const SideRule& rule, EdgeGrid& edges,
-                                           const Checkpoint& checkpoint = never_stop);
+                                           const Checkpoint& checkpoint = never_stop,
+                                           std::vector<ReplacedEdge>* replaced = nullptr);
 
 }  // namespace stope::topology

@@ -47,12 +47,13 @@ class PaddedGrid {
     void operator()(T* cells) const { std::free(cells); }
   };
   static std::unique_ptr<T[], Free> allocate(std::size_t count) {
-    constexpr std::size_t kHugePage = std::size_t{1} << 21;
-    const std::size_t bytes = (count * sizeof(T) + kHugePage - 1) / kHugePage * kHugePage;
-    void* memory = std::aligned_alloc(kHugePage, bytes);
+    constexpr std::size_t kHugePage = std::size_t{1} << 21, kCacheLine = 64;
+    const std::size_t unit = count * sizeof(T) < kHugePage ? kCacheLine : kHugePage;
+    const std::size_t bytes = (count * sizeof(T) + unit - 1) / unit * unit;
+    void* memory = std::aligned_alloc(unit, bytes);
     if (!memory) throw std::bad_alloc();
     // First touches of many small pages cost as much as the work on them; a refusal is harmless.
-    ::madvise(memory, bytes, MADV_HUGEPAGE);
+    if (unit == kHugePage) ::madvise(memory, bytes, MADV_HUGEPAGE);
     return std::unique_ptr<T[], Free>(static_cast<T*>(memory));
   }
   std::size_t offset(std::int32_t row) const {
