@@ -15,28 +15,31 @@ namespace {
 class PieceConnector {
  public:
   PieceConnector(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                 const std::vector<CellIndex>& corners, const Checkpoint& checkpoint)
+                 std::vector<const TracedLine*> lines, const Checkpoint& checkpoint)
       : space_(space),
         outlines_(outlines),
         edges_(edges),
-        corners_(corners),
+        lines_(std::move(lines)),
         checkpoint_(checkpoint),
         stride_(space.stride()),
         pieces_(outlines.list.size()) {}
 
   LineNetwork run() {
-    join_outlines();
+    // Outlines on both sides of a line bound the same piece of free space.
+    for (const TracedLine* line : lines_)
+      pieces_.join(outline_of(line->sides[0]), outline_of(line->sides[1]));
+    const std::vector<std::int32_t> torn = torn_pieces(lines_);
+    const std::vector<const TracedLine*> whole = torn.empty() ? lines_ : without_fragments(lines_);
+    LineNetwork network;
+    if (torn_pieces(whole).empty()) {
+      network = to_network(whole);
+    } else {
+      // A new trace brings fragments back, so they are linked as well.
+      network = linked_within(torn);
+    }
     checkpoint_();
-    TracedLines traced = trace_lines(space_, outlines_, edges_, corners_, {});
-    checkpoint_();
-    const std::vector<std::int32_t> torn = torn_pieces(traced);
-    if (!torn.empty()) drop_fragments(traced);
-    // A new trace brings fragments back, so they are linked as well.
-    if (!torn_pieces(traced).empty())
-      traced = trace_lines(space_, outlines_, edges_, corners_, links_within(torn));
-    checkpoint_();
-    add_lone_nodes(traced);
-    return std::move(traced.network);
+    add_lone_nodes(network);
+    return network;
   }
 
  private:
@@ -44,100 +47,81 @@ class PieceConnector {
     std::int32_t piece = 0;
     std::vector<CellIndex> corners;
   };
+  /// Which lines hang together.
+  struct Groups {
+    explicit Groups(const std::vector<const TracedLine*>& lines)
+        : ends(lines), connected(ends.corner.size()), cyclic(ends.corner.size(), false) {
+      for (const auto& [from, to] : ends.of_line)
+        if (!connected.join(from, to)) loops.push_back(from);
+      for (const std::int32_t node : loops) cyclic[at(connected.find(node))] = true;
+    }
+    std::size_t of_line(std::size_t line) { return at(connected.find(ends.of_line[line].first)); }
+    LineEnds ends;
+    DisjointSets connected;
+    std::vector<std::int32_t> loops;
+    std::vector<bool> cyclic;  ///< by group
+  };
 
+  static std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
   bool free(CellIndex cell) const { return !(space_[cell] & kObstacle); }
-  std::int32_t outline_at(CellIndex cell) const {
-    return outlines_.of_edge[static_cast<std::size_t>(edges_[cell])];
-  }
+  std::int32_t outline_of(OutlineEdge edge) const { return outlines_.of_edge[at(edge)]; }
   std::int64_t distance(CellIndex cell) const {
     return squared_distance(edges_, outlines_, cell, edges_[cell]);
   }
-
-  template <class Visit>
-  void for_each_step(CellIndex corner, Visit visit) const {
-    if (space_[corner] & kDividedEast) visit(Divide{corner, false});
-    if (space_[corner] & kDividedNorth) visit(Divide{corner, true});
-  }
-
-  /// Outlines on both sides of a line bound the same piece of free space.
-  void join_outlines() {
-    for (const CellIndex corner : corners_) {
-      for_each_step(corner, [&](Divide step) {
-        const CellIndex a = step.cell, b = a + (step.north ? stride_ : 1);
-        pieces_.join(outline_facing(a, b), outline_facing(b, a));
-      });
-    }
-  }
-  std::int32_t outline_facing(CellIndex cell, CellIndex other) const {
-    if (free(cell)) return outline_at(cell);
-    const auto& sides = outlines_.sides[static_cast<std::size_t>(edges_[cell])];
-    const CellIndex step = other - cell;
-    const int side = step == 1 ? kEast : step == -1 ? kWest : step > 0 ? kNorth : kSouth;
-    return outlines_.of_edge[static_cast<std::size_t>(sides[static_cast<std::size_t>(side)])];
-  }
+  std::int32_t piece_of(const TracedLine& line) { return pieces_.find(outline_of(line.sides[0])); }
 
   /// Where sides are about as long as the bound, the raster lets lines flicker: bits of line
   /// shorter than it that end on both sides come to lie apart before a branch's tip. They are left
   /// out.
-  void drop_fragments(TracedLines& traced) {
-    LineNetwork& network = traced.network;
-    DisjointSets connected(network.nodes.size());
-    struct Size {
-      std::size_t points = 0;
-      bool cyclic = false;
-    };
-    std::vector<Size> size(network.nodes.size());
-    for (const Line& line : network.lines)
-      if (!connected.join(line.from, line.to))
-        size[static_cast<std::size_t>(connected.find(line.from))].cyclic = true;
-    std::vector<Size> total(network.nodes.size());
-    for (std::size_t node = 0; node < size.size(); ++node)
-      if (size[node].cyclic) total[group_at(connected, node)].cyclic = true;
-    for (const Line& line : network.lines)
-      total[group_at(connected, static_cast<std::size_t>(line.from))].points += line.points.size();
-    std::vector<std::int32_t> largest(outlines_.list.size(), -1);
-    for (std::size_t node = 0; node < total.size(); ++node) {
-      if (group_at(connected, node) != node) continue;
-      auto& best = largest[piece_of(traced.outline[node])];
-      if (best < 0 || total[node].points > total[static_cast<std::size_t>(best)].points)
-        best = static_cast<std::int32_t>(node);
+  std::vector<const TracedLine*> without_fragments(const std::vector<const TracedLine*>& lines) {
+    Groups groups(lines);
+    const std::size_t count = groups.ends.corner.size();
+    std::vector<std::size_t> points(count, 0);
+    std::vector<std::int32_t> piece(count, -1), largest(outlines_.list.size(), -1);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      points[groups.of_line(i)] += lines[i]->points.size();
+      piece[groups.of_line(i)] = piece_of(*lines[i]);
     }
-    const auto dropped = [&](std::size_t node) {
-      const std::size_t group = group_at(connected, node);
-      const bool keep = static_cast<std::size_t>(largest[piece_of(traced.outline[group])]) == group;
-      return !keep && !total[group].cyclic &&
-             total[group].points <= static_cast<std::size_t>(outlines_.gap);
-    };
-    std::vector<std::size_t> nodes;
-    for (std::size_t node = 0; node < total.size(); ++node)
-      if (dropped(node)) nodes.push_back(node);
-    for (Line& line : network.lines)
-      if (dropped(static_cast<std::size_t>(line.from))) line.points.clear();
-    for (const std::size_t node : nodes) traced.outline[node] = -1;
-  }
-  static std::size_t group_at(DisjointSets& connected, std::size_t node) {
-    return static_cast<std::size_t>(connected.find(static_cast<std::int32_t>(node)));
-  }
-  std::size_t piece_of(std::int32_t outline) {
-    return static_cast<std::size_t>(pieces_.find(outline));
+    for (std::size_t group = 0; group < count; ++group) {
+      if (piece[group] < 0) continue;
+      auto& best = largest[at(piece[group])];
+      if (best < 0 || points[group] > points[at(best)]) best = static_cast<std::int32_t>(group);
+    }
+    std::vector<const TracedLine*> kept;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::size_t group = groups.of_line(i);
+      if (at(largest[at(piece[group])]) == group || groups.cyclic[group] ||
+          points[group] > at(outlines_.gap))
+        kept.push_back(lines[i]);
+    }
+    return kept;
   }
 
-  std::vector<std::int32_t> torn_pieces(const TracedLines& traced) {
-    const LineNetwork& network = traced.network;
-    DisjointSets connected(network.nodes.size());
-    for (const Line& line : network.lines) connected.join(line.from, line.to);
+  std::vector<std::int32_t> torn_pieces(const std::vector<const TracedLine*>& lines) {
+    Groups groups(lines);
     std::vector<std::int32_t> first(outlines_.list.size(), -1), torn;
-    for (std::size_t node = 0; node < network.nodes.size(); ++node) {
-      if (traced.outline[node] < 0) continue;
-      const std::int32_t piece = pieces_.find(traced.outline[node]);
-      const std::int32_t group = connected.find(static_cast<std::int32_t>(node));
-      auto& known = first[static_cast<std::size_t>(piece)];
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::int32_t piece = piece_of(*lines[i]);
+      const auto group = static_cast<std::int32_t>(groups.of_line(i));
+      auto& known = first[at(piece)];
       if (known < 0) known = group;
       if (known != group) torn.push_back(piece);
     }
     std::sort(torn.begin(), torn.end());
     torn.erase(std::unique(torn.begin(), torn.end()), torn.end());
     return torn;
+  }
+
+  LineNetwork linked_within(const std::vector<std::int32_t>& torn) {
+    const std::vector<Link> links = links_within(torn);
+    LineTracer tracer(space_, outlines_, edges_);
+    std::vector<CellIndex> corners;
+    for (const TracedLine* line : lines_) {
+      tracer.forget(*line);
+      corners.insert(corners.end(), line->corners.begin(), line->corners.end());
+    }
+    checkpoint_();
+    return to_network(list_of(trace_lines(space_, outlines_, edges_, corners, links)));
   }
 
   std::vector<Link> links_within(const std::vector<std::int32_t>& torn) {
@@ -165,25 +149,19 @@ class PieceConnector {
   }
 
   std::vector<Group> find_groups(const std::vector<std::int32_t>& torn) {
+    Groups connected(lines_);
+    std::vector<std::int32_t> name(connected.ends.corner.size(), -1);
     std::vector<Group> groups;
-    for (const CellIndex start : corners_) {
-      const std::int32_t piece = piece_at(start);
-      if (piece < 0 || !std::binary_search(torn.begin(), torn.end(), piece)) continue;
-      if (group_of_.contains(start)) continue;
-      const auto name = static_cast<std::int32_t>(groups.size());
-      Group group{piece, {start}};
-      group_of_.emplace(start, name);
-      for (std::size_t i = 0; i < group.corners.size(); ++i) {
-        const CellIndex corner = group.corners[i];
-        const auto reach = [&](bool divided, CellIndex next) {
-          if (divided && group_of_.emplace(next, name).second) group.corners.push_back(next);
-        };
-        reach(space_[corner] & kDividedEast, corner - stride_);
-        reach(space_[corner] & kDividedNorth, corner - 1);
-        reach(space_[corner + stride_] & kDividedEast, corner + stride_);
-        reach(space_[corner + 1] & kDividedNorth, corner + 1);
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const std::int32_t piece = piece_of(*lines_[i]);
+      if (!std::binary_search(torn.begin(), torn.end(), piece)) continue;
+      auto& own = name[connected.of_line(i)];
+      if (own < 0) {
+        own = static_cast<std::int32_t>(groups.size());
+        groups.push_back({piece, {}});
       }
-      groups.push_back(std::move(group));
+      for (const CellIndex corner : lines_[i]->corners)
+        if (group_of_.emplace(corner, own).second) groups[at(own)].corners.push_back(corner);
     }
     return groups;
   }
@@ -191,17 +169,6 @@ class PieceConnector {
   std::array<CellIndex, 4> cells_at(CellIndex corner) const {
     return {corner, corner + 1, corner + stride_, corner + stride_ + 1};
   }
-  /// The piece of free space a corner of a line lies in; -1 for a corner without lines.
-  std::int32_t piece_at(CellIndex corner) {
-    const bool passed = (space_[corner] & (kDividedEast | kDividedNorth)) ||
-                        (space_[corner + stride_] & kDividedEast) ||
-                        (space_[corner + 1] & kDividedNorth);
-    if (!passed) return -1;
-    for (const CellIndex cell : cells_at(corner))
-      if (free(cell)) return pieces_.find(outline_at(cell));
-    return -1;
-  }
-
   /// From any corner of one group to any of another, through the cells with the most room.
   Link widest_way(const std::vector<Group>& groups, DisjointSets& joined, std::int32_t own) {
     struct Entry {
@@ -251,17 +218,15 @@ class PieceConnector {
     return {};
   }
 
-  void add_lone_nodes(TracedLines& traced) {
+  void add_lone_nodes(LineNetwork& network) {
     std::vector<bool> seen(outlines_.list.size(), false);
-    for (const std::int32_t outline : traced.outline)
-      if (outline >= 0) seen[static_cast<std::size_t>(pieces_.find(outline))] = true;
+    for (const TracedLine* line : lines_) seen[at(piece_of(*line))] = true;
     for (std::size_t outline = 0; outline < outlines_.list.size(); ++outline) {
-      if (seen[static_cast<std::size_t>(pieces_.find(static_cast<std::int32_t>(outline)))])
-        continue;
+      if (seen[at(pieces_.find(static_cast<std::int32_t>(outline)))]) continue;
       const CellIndex cell = widest_place(static_cast<std::int32_t>(outline));
-      traced.network.nodes.push_back({{edges_.column(cell) + 0.5, edges_.row(cell) + 0.5,
-                                       std::sqrt(static_cast<double>(distance(cell)))},
-                                      true});
+      network.nodes.push_back({{edges_.column(cell) + 0.5, edges_.row(cell) + 0.5,
+                                std::sqrt(static_cast<double>(distance(cell)))},
+                               true});
     }
   }
 
@@ -274,7 +239,7 @@ class PieceConnector {
       for (std::int32_t column = std::max(box.left, 0);
            column <= std::min(box.right, space_.width() - 1); ++column) {
         const CellIndex cell = space_.index(column, row);
-        if (!free(cell) || outline_at(cell) != outline || distance(cell) <= room) continue;
+        if (!free(cell) || outline_of(edges_[cell]) != outline || distance(cell) <= room) continue;
         best = cell;
         room = distance(cell);
       }
@@ -285,7 +250,7 @@ class PieceConnector {
   FreeSpace& space_;
   const Outlines& outlines_;
   const EdgeGrid& edges_;
-  const std::vector<CellIndex>& corners_;
+  std::vector<const TracedLine*> lines_;
   const Checkpoint& checkpoint_;
   CellIndex stride_;
   DisjointSets pieces_;
@@ -295,8 +260,8 @@ class PieceConnector {
 }  // namespace
 
 LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           const std::vector<CellIndex>& corners, const Checkpoint& checkpoint) {
-  return PieceConnector(space, outlines, edges, corners, checkpoint).run();
+                           std::vector<const TracedLine*> lines, const Checkpoint& checkpoint) {
+  return PieceConnector(space, outlines, edges, std::move(lines), checkpoint).run();
 }
 
 }  // namespace stope::topology

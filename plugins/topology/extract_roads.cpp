@@ -47,7 +47,7 @@ RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& par
       find_dividing_lines(terrain.space, terrain.outlines,
                           SideRule::between_outlines(terrain.outlines), terrain.edges, checkpoint);
   LineNetwork network =
-      trace_lines(terrain.space, terrain.outlines, terrain.edges, corners, {}).network;
+      to_network(list_of(trace_lines(terrain.space, terrain.outlines, terrain.edges, corners, {})));
   checkpoint();
   drop_below_clearance(network, grid.frame, params.min_clearance);
   checkpoint();
@@ -67,8 +67,11 @@ RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& param
   const auto corners =
       find_dividing_lines(terrain.space, terrain.outlines,
                           SideRule::between_sides(terrain.outlines), terrain.edges, checkpoint);
+  const std::vector<TracedLine> lines =
+      trace_lines(terrain.space, terrain.outlines, terrain.edges, corners, {});
+  checkpoint();
   LineNetwork network =
-      connect_pieces(terrain.space, terrain.outlines, terrain.edges, corners, checkpoint);
+      connect_pieces(terrain.space, terrain.outlines, terrain.edges, list_of(lines), checkpoint);
   checkpoint();
   drop_below_clearance(network, grid.frame, params.min_clearance);
   prune_spurs(network, {reach, branches.min_branch_share});

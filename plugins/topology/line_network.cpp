@@ -17,7 +17,7 @@ double distance_between(const LinePoint& a, const LinePoint& b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
-double Line::length() const {
+double length_of(const std::vector<LinePoint>& points) {
   double sum = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += distance_between(points[i - 1], points[i]);
   return sum;
@@ -43,6 +43,7 @@ void LineNetwork::tidy() {
     if (first.to != static_cast<std::int32_t>(node)) reverse(first);
     if (second.from != static_cast<std::int32_t>(node)) reverse(second);
     first.points.insert(first.points.end(), second.points.begin() + 1, second.points.end());
+    first.length += second.length;
     first.to = second.to;
     second.points.clear();
     auto& at_end = at_nodes[static_cast<std::size_t>(first.to)];

@@ -12,19 +12,22 @@ namespace stope::topology {
 struct LinePoint {
   double x = 0, y = 0;
   double distance = 0;
+  bool operator==(const LinePoint&) const = default;
 };
 
 double distance_between(const LinePoint& a, const LinePoint& b);
+double length_of(const std::vector<LinePoint>& points);
 
 /// A centre line between two nodes, or around from one node to itself.
 struct Line {
   std::int32_t from = 0, to = 0;  ///< places in LineNetwork::nodes
   std::vector<LinePoint> points;  ///< first and last are the nodes' places; none: no longer there
+  double length = 0;              ///< of its points; whoever changes them sets it
   bool erased() const { return points.empty(); }
-  double length() const;
 };
 
-/// Centre lines while they are worked on.
+/// Centre lines while they are worked on. The steps that work on them break ties by the order of
+/// nodes and lines: it must follow from geometry alone.
 struct LineNetwork {
   struct Node {
     LinePoint point;

@@ -21,7 +21,7 @@ class JunctionMerger {
       const auto [length, line] = open_.top();
       open_.pop();
       const Line& candidate = network_.lines[at(line)];
-      if (!candidate.erased() && candidate.length() == length && mergeable(candidate)) merge(line);
+      if (!candidate.erased() && candidate.length == length && mergeable(candidate)) merge(line);
     }
     network_.tidy();
   }
@@ -31,7 +31,7 @@ class JunctionMerger {
 
   void offer(std::int32_t line) {
     const Line& candidate = network_.lines[at(line)];
-    if (!candidate.erased() && mergeable(candidate)) open_.emplace(candidate.length(), line);
+    if (!candidate.erased() && mergeable(candidate)) open_.emplace(candidate.length, line);
   }
 
   bool mergeable(const Line& line) const {
@@ -39,7 +39,7 @@ class JunctionMerger {
     if (at_nodes_[at(line.from)].size() < 3 || at_nodes_[at(line.to)].size() < 3) return false;
     const double reach =
         share_ * std::min(line.points.front().distance, line.points.back().distance);
-    if (line.length() > reach) return false;
+    if (line.length > reach) return false;
     const auto joins = [&](std::int32_t other) {
       const Line& o = network_.lines[at(other)];
       return std::minmax(o.from, o.to) == std::minmax(line.from, line.to);
@@ -78,7 +78,7 @@ class JunctionMerger {
   }
 
   static LinePoint middle_of(const Line& line) {
-    double left = line.length() / 2;
+    double left = line.length / 2;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       const LinePoint &a = line.points[i - 1], &b = line.points[i];
       const double step = distance_between(a, b);
@@ -101,6 +101,7 @@ class JunctionMerger {
     line.points.erase(line.points.begin(),
                       line.points.begin() + static_cast<std::ptrdiff_t>(first) - 1);
     line.points.front() = place;
+    line.length = length_of(line.points);
   }
 
   LineNetwork& network_;

@@ -76,7 +76,7 @@ class SpurPruner {
 
   void burn_branch(std::int32_t name, std::int32_t tip, std::int32_t root) {
     branches_.push_back({name, tip, root});
-    const double burn = burn_[at(tip)] + network_.lines[at(name)].length();
+    const double burn = burn_[at(tip)] + network_.lines[at(name)].length;
     if (burn > burn_[at(root)]) {
       burn_[at(root)] = burn;
       longest_[at(root)] = name;
@@ -88,7 +88,7 @@ class SpurPruner {
   /// The last line of a tree burns from both ends: it is cut where the fires meet.
   void meet_on(std::int32_t name, std::int32_t tip, std::int32_t root) {
     Line& line = network_.lines[at(name)];
-    double way = (burn_[at(root)] + line.length() - burn_[at(tip)]) / 2;
+    double way = (burn_[at(root)] + line.length - burn_[at(tip)]) / 2;
     std::size_t middle = 1;
     for (; middle + 2 < line.points.size() && way > 0; ++middle)
       way -= distance_between(line.points[middle - 1], line.points[middle]);
@@ -108,8 +108,11 @@ class SpurPruner {
     widest_.push_back(point);
     Line other{root,
                node,
-               {line.points.rbegin(), line.points.rend() - static_cast<std::ptrdiff_t>(middle)}};
+               {line.points.rbegin(), line.points.rend() - static_cast<std::ptrdiff_t>(middle)},
+               0};
+    other.length = length_of(other.points);
     line.points.resize(middle + 1);
+    line.length = length_of(line.points);
     line.to = node;
     network_.lines.push_back(std::move(other));
     first_kept_.push_back(0);
@@ -197,6 +200,7 @@ class SpurPruner {
       line.points.clear();
     } else if (first > 0) {
       line.points.erase(line.points.begin(), line.points.begin() + first);
+      line.length = length_of(line.points);
       network_.nodes[at(branch.tip)].point = line.points.front();
     }
   }

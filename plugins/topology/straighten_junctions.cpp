@@ -53,7 +53,7 @@ class Straightener {
   /// The first point outside of the node's circle, within the near half of the line, and the
   /// direction of the stretch beyond it, twice as long as the road is wide to each side.
   Exit exit_of(End end, const LinePoint& node) const {
-    const double half = network_.lines[at(end.line)].length() / 2;
+    const double half = network_.lines[at(end.line)].length / 2;
     double way = 0;
     std::size_t i = 1;
     for (; i + 1 < count(end); ++i) {
@@ -178,6 +178,7 @@ class Straightener {
       if (!ways.empty()) start.insert(start.end(), ways[i].begin(), ways[i].end());
       points.insert(points.begin(), start.begin(), start.end());
       if (end.reversed) std::reverse(points.begin(), points.end());
+      network_.lines[at(end.line)].length = length_of(points);
     }
     network_.nodes[node].point = place;
   }

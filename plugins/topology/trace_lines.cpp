@@ -1,177 +1,235 @@
+// Problem: make lines of the steps between divided cells, the same ones in the same order whatever
+// was traced before.
+// Idea: a line starts at its lower end, in the first of the four directions that leads along it;
+// so where it starts, which way its points run and its place among all lines are matters of
+// geometry, and lines traced anew in a part of the map fit between those that stayed.
+// Cost: linear in the lines' length.
 #include "plugins/topology/trace_lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <unordered_map>
 
 namespace stope::topology {
-namespace {
 
-class LineTracer {
- public:
-  LineTracer(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges)
-      : space_(space), outlines_(outlines), edges_(edges), stride_(space.stride()) {}
-
-  TracedLines run(const std::vector<CellIndex>& corners, const std::vector<Link>& links) {
-    for (const CellIndex corner : corners) forget(corner);
-    for (const Link& link : links) {
-      space_[link.from] |= kEndsHere;
-      space_[link.to] |= kEndsHere;
-    }
-    for (const CellIndex corner : corners)
-      if (ends_at(corner)) add_node(corner);
-    for (const CellIndex corner : corners)
-      if (ends_at(corner)) trace_from(corner);
-    // What is left are rings without a junction.
-    for (const CellIndex corner : corners) {
-      const auto steps = untraced(corner);
-      if (steps.count == 0) continue;
-      space_[corner] |= kEndsHere;
-      add_node(corner);
-      trace_from(corner);
-    }
-    for (const Link& link : links) add_link(link);
-    return std::move(result_);
+LineTracer::Steps LineTracer::steps(CellIndex corner, bool untraced_only) const {
+  const std::array<Divide, 4> all{
+      {{corner + stride_, false}, {corner + 1, true}, {corner, false}, {corner, true}}};
+  Steps result;
+  for (std::size_t way = 0; way < all.size(); ++way) {
+    const Divide step = all[way];
+    if (!(space_[step.cell] & (step.north ? kDividedNorth : kDividedEast))) continue;
+    if (untraced_only && traced(step)) continue;
+    result.way[result.count] = static_cast<std::int32_t>(way);
+    result.list[result.count++] = step;
   }
+  return result;
+}
 
- private:
-  struct Steps {
-    std::array<Divide, 4> list;
-    std::size_t count = 0;
+bool LineTracer::traced(Divide step) const {
+  return space_[step.cell] & (step.north ? kTracedNorth : kTracedEast);
+}
+
+bool LineTracer::ends_at(CellIndex corner) const {
+  return (space_[corner] & kEndsHere) || steps(corner, false).count != 2;
+}
+
+CellIndex LineTracer::other_end(Divide step, CellIndex corner) const {
+  const CellIndex lower = step.north ? step.cell - 1 : step.cell - stride_;
+  return corner == lower ? step.cell : lower;
+}
+
+LinePoint LineTracer::centre(CellIndex cell, double distance) const {
+  return {edges_.column(cell) + 0.5, edges_.row(cell) + 0.5, distance};
+}
+
+/// How much further the first edge is than the second, squared; linear along a line.
+double LineTracer::excess(CellIndex cell, OutlineEdge first, OutlineEdge second) const {
+  return static_cast<double>(squared_distance(edges_, outlines_, cell, first) -
+                             squared_distance(edges_, outlines_, cell, second));
+}
+
+/// The place between the centres of the two cells that is equally far from their obstacles.
+LinePoint LineTracer::point(Divide step) const {
+  const CellIndex a = step.cell, b = a + (step.north ? stride_ : 1);
+  // Beside an obstacle the free cell is the whole road.
+  if (space_[a] & kObstacle) return centre(b, 1.0);
+  if (space_[b] & kObstacle) return centre(a, 1.0);
+  const double excess_at_a = excess(a, edges_[a], edges_[b]);
+  const double excess_at_b = excess(b, edges_[a], edges_[b]);
+  double part = 0.5;
+  if (excess_at_b > excess_at_a)
+    part = std::clamp(-excess_at_a / (excess_at_b - excess_at_a), 0.0, 1.0);
+  LinePoint result = centre(a, 0);
+  (step.north ? result.y : result.x) += part;
+  const Outlines::Place place = outlines_.place[static_cast<std::size_t>(edges_[a])];
+  result.distance = distance_between(result, {place.column + 0.5, place.row + 0.5, 0});
+  return result;
+}
+
+LinePoint LineTracer::node(CellIndex corner) const {
+  const Steps around = steps(corner, false);
+  LinePoint mean;
+  for (std::size_t i = 0; i < around.count; ++i) {
+    const LinePoint next = point(around.list[i]);
+    mean.x += next.x / static_cast<double>(around.count);
+    mean.y += next.y / static_cast<double>(around.count);
+    mean.distance += next.distance / static_cast<double>(around.count);
+  }
+  return mean;
+}
+
+/// Of a free cell the edge it sees, of an obstacle the edge on one of its sides.
+OutlineEdge LineTracer::edge_towards(CellIndex cell, int side) const {
+  if (!(space_[cell] & kObstacle)) return edges_[cell];
+  return outlines_.sides[static_cast<std::size_t>(edges_[cell])][static_cast<std::size_t>(side)];
+}
+
+void LineTracer::trace_from(CellIndex start, std::vector<TracedLine>& lines) {
+  const Steps starts = steps(start, true);
+  for (std::size_t i = 0; i < starts.count; ++i) {
+    Divide step = starts.list[i];
+    if (traced(step)) continue;  // a ring came back
+    TracedLine line;
+    line.way = starts.way[i];
+    line.sides = {
+        edge_towards(step.cell, step.north ? kNorth : kEast),
+        edge_towards(step.cell + (step.north ? stride_ : 1), step.north ? kSouth : kWest)};
+    line.points.push_back(node(start));
+    line.corners.push_back(start);
+    CellIndex corner = start;
+    while (true) {
+      space_[step.cell] |= step.north ? kTracedNorth : kTracedEast;
+      line.points.push_back(point(step));
+      corner = other_end(step, corner);
+      line.corners.push_back(corner);
+      if (corner == start || ends_at(corner)) break;
+      step = steps(corner, true).list[0];
+    }
+    line.points.push_back(node(corner));
+    if (corner < start) turn_round(line, step);
+    line.length = length_of(line.points);
+    lines.push_back(std::move(line));
+  }
+}
+
+/// Lets a line start at its other end, with what was its last step.
+void LineTracer::turn_round(TracedLine& line, Divide last) const {
+  std::reverse(line.points.begin(), line.points.end());
+  std::reverse(line.corners.begin(), line.corners.end());
+  const Steps around = steps(line.from(), false);
+  for (std::size_t i = 0; i < around.count; ++i)
+    if (around.list[i].cell == last.cell && around.list[i].north == last.north)
+      line.way = around.way[i];
+}
+
+/// The lower end of the line that passes a corner which is no node; of a ring its lowest corner.
+CellIndex LineTracer::ring_start(CellIndex corner) const {
+  std::array<CellIndex, 2> ends{corner, corner};
+  CellIndex lowest = corner;
+  const Steps starts = steps(corner, false);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Divide step = starts.list[i];
+    while (true) {
+      ends[i] = other_end(step, ends[i]);
+      lowest = std::min(lowest, ends[i]);
+      if (ends[i] == corner) return lowest;
+      if (ends_at(ends[i])) break;
+      const Steps on = steps(ends[i], false);
+      const bool first = on.list[0].cell == step.cell && on.list[0].north == step.north;
+      step = on.list[first ? 1 : 0];
+    }
+  }
+  return std::min(ends[0], ends[1]);
+}
+
+void LineTracer::trace(const std::vector<CellIndex>& corners, std::vector<TracedLine>& lines) {
+  std::vector<CellIndex> starts;
+  for (const CellIndex corner : corners)
+    if (ends_at(corner) && steps(corner, true).count > 0) starts.push_back(corner);
+  std::sort(starts.begin(), starts.end());
+  for (const CellIndex start : starts) trace_from(start, lines);
+  for (const CellIndex corner : corners)
+    if (steps(corner, true).count > 0) trace_from(ring_start(corner), lines);
+}
+
+TracedLine LineTracer::link(const Link& link, std::int32_t rank) const {
+  constexpr std::int32_t kWaysOfSteps = 4;
+  TracedLine line;
+  line.corners = {link.from, link.to};
+  line.way = kWaysOfSteps + rank;
+  line.sides = {-1, -1};
+  line.points.push_back(node(link.from));
+  for (const CellIndex cell : link.cells) {
+    const std::int64_t squared = squared_distance(edges_, outlines_, cell, edges_[cell]);
+    line.points.push_back(centre(cell, std::sqrt(static_cast<double>(squared))));
+  }
+  line.points.push_back(node(link.to));
+  line.length = length_of(line.points);
+  return line;
+}
+
+void LineTracer::forget(const TracedLine& line) {
+  for (std::size_t i = 1; i < line.corners.size(); ++i) {
+    const CellIndex high = std::max(line.corners[i - 1], line.corners[i]);
+    const CellIndex low = std::min(line.corners[i - 1], line.corners[i]);
+    const int bit = high - low == 1 ? kTracedNorth : kTracedEast;
+    space_[high] &= static_cast<std::uint8_t>(~bit);
+  }
+}
+
+std::vector<TracedLine> trace_lines(FreeSpace& space, const Outlines& outlines,
+                                    const EdgeGrid& edges, const std::vector<CellIndex>& corners,
+                                    const std::vector<Link>& links) {
+  LineTracer tracer(space, outlines, edges);
+  std::vector<TracedLine> lines;
+  for (const Link& link : links) {
+    space[link.from] |= kEndsHere;
+    space[link.to] |= kEndsHere;
+  }
+  tracer.trace(corners, lines);
+  for (std::size_t i = 0; i < links.size(); ++i)
+    lines.push_back(tracer.link(links[i], static_cast<std::int32_t>(i)));
+  for (const Link& link : links) {
+    space[link.from] &= static_cast<std::uint8_t>(~kEndsHere);
+    space[link.to] &= static_cast<std::uint8_t>(~kEndsHere);
+  }
+  std::sort(lines.begin(), lines.end(), comes_first);
+  return lines;
+}
+
+LineEnds::LineEnds(const std::vector<const TracedLine*>& lines) {
+  for (const TracedLine* line : lines) {
+    corner.push_back(line->from());
+    corner.push_back(line->to());
+  }
+  std::sort(corner.begin(), corner.end());
+  corner.erase(std::unique(corner.begin(), corner.end()), corner.end());
+  const auto place_of = [&](CellIndex end) {
+    return static_cast<std::int32_t>(std::lower_bound(corner.begin(), corner.end(), end) -
+                                     corner.begin());
   };
+  for (const TracedLine* line : lines)
+    of_line.emplace_back(place_of(line->from()), place_of(line->to()));
+}
 
-  bool has(CellIndex cell, std::uint8_t bit) const { return space_[cell] & bit; }
+LineNetwork to_network(const std::vector<const TracedLine*>& lines) {
+  const LineEnds ends(lines);
+  LineNetwork network;
+  network.nodes.resize(ends.corner.size());
+  network.lines.reserve(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::int32_t from = ends.of_line[i].first, to = ends.of_line[i].second;
+    network.nodes[static_cast<std::size_t>(from)].point = lines[i]->points.front();
+    network.nodes[static_cast<std::size_t>(to)].point = lines[i]->points.back();
+    network.lines.push_back({from, to, lines[i]->points, lines[i]->length});
+  }
+  return network;
+}
 
-  template <class Wanted>
-  Steps steps(CellIndex corner, Wanted wanted) const {
-    const std::array<Divide, 4> all{
-        {{corner + stride_, false}, {corner + 1, true}, {corner, false}, {corner, true}}};
-    Steps result;
-    for (const Divide step : all) {
-      const bool divided = has(step.cell, step.north ? kDividedNorth : kDividedEast);
-      if (divided && wanted(step)) result.list[result.count++] = step;
-    }
-    return result;
-  }
-  Steps all(CellIndex corner) const {
-    return steps(corner, [](Divide) { return true; });
-  }
-  Steps untraced(CellIndex corner) const {
-    return steps(corner, [this](Divide step) {
-      return !has(step.cell, step.north ? kTracedNorth : kTracedEast);
-    });
-  }
-  bool ends_at(CellIndex corner) const { return has(corner, kEndsHere) || all(corner).count != 2; }
-  CellIndex other_end(Divide step, CellIndex corner) const {
-    const CellIndex lower = step.north ? step.cell - 1 : step.cell - stride_;
-    return corner == lower ? step.cell : lower;
-  }
-
-  void forget(CellIndex corner) {
-    space_[corner] &= static_cast<std::uint8_t>(~kEndsHere);
-    for (const Divide step : untraced_or_not(corner)) {
-      const int traced = step.north ? kTracedNorth : kTracedEast;
-      space_[step.cell] &= static_cast<std::uint8_t>(~traced);
-    }
-  }
-  std::array<Divide, 2> untraced_or_not(CellIndex corner) const {
-    return {{{corner, false}, {corner, true}}};
-  }
-
-  LinePoint centre(CellIndex cell, double distance) const {
-    return {edges_.column(cell) + 0.5, edges_.row(cell) + 0.5, distance};
-  }
-
-  /// The place between the centres of the two cells that is equally far from their obstacles.
-  LinePoint point(Divide step) const {
-    const CellIndex a = step.cell, b = a + (step.north ? stride_ : 1);
-    // Beside an obstacle the free cell is the whole road.
-    if (has(a, kObstacle)) return centre(b, 1.0);
-    if (has(b, kObstacle)) return centre(a, 1.0);
-    const double excess_at_a = excess(a, edges_[a], edges_[b]);
-    const double excess_at_b = excess(b, edges_[a], edges_[b]);
-    double part = 0.5;
-    if (excess_at_b > excess_at_a)
-      part = std::clamp(-excess_at_a / (excess_at_b - excess_at_a), 0.0, 1.0);
-    LinePoint result = centre(a, 0);
-    (step.north ? result.y : result.x) += part;
-    const Outlines::Place place = outlines_.place[static_cast<std::size_t>(edges_[a])];
-    result.distance = distance_between(result, {place.column + 0.5, place.row + 0.5, 0});
-    return result;
-  }
-  /// How much further the first edge is than the second, squared; linear along a line.
-  double excess(CellIndex cell, OutlineEdge first, OutlineEdge second) const {
-    return static_cast<double>(squared_distance(edges_, outlines_, cell, first) -
-                               squared_distance(edges_, outlines_, cell, second));
-  }
-
-  void add_node(CellIndex corner) {
-    node_at_.emplace(corner, static_cast<std::int32_t>(result_.corner.size()));
-    const Steps around = all(corner);
-    LinePoint mean;
-    for (std::size_t i = 0; i < around.count; ++i) {
-      const LinePoint next = point(around.list[i]);
-      mean.x += next.x / static_cast<double>(around.count);
-      mean.y += next.y / static_cast<double>(around.count);
-      mean.distance += next.distance / static_cast<double>(around.count);
-    }
-    const Divide step = around.list[0];
-    const CellIndex cell =
-        has(step.cell, kObstacle) ? step.cell + (step.north ? stride_ : 1) : step.cell;
-    result_.network.nodes.push_back({mean, false});
-    result_.corner.push_back(corner);
-    result_.outline.push_back(outlines_.of_edge[static_cast<std::size_t>(edges_[cell])]);
-  }
-
-  void trace_from(CellIndex start) {
-    const Steps starts = untraced(start);
-    for (std::size_t i = 0; i < starts.count; ++i) {
-      Divide step = starts.list[i];
-      if (has(step.cell, step.north ? kTracedNorth : kTracedEast)) continue;  // a ring came back
-      Line line;
-      line.from = node_at_.at(start);
-      line.points.push_back(result_.network.nodes[static_cast<std::size_t>(line.from)].point);
-      CellIndex corner = start;
-      while (true) {
-        space_[step.cell] |= step.north ? kTracedNorth : kTracedEast;
-        line.points.push_back(point(step));
-        corner = other_end(step, corner);
-        if (ends_at(corner)) break;
-        step = untraced(corner).list[0];
-      }
-      line.to = node_at_.at(corner);
-      line.points.push_back(result_.network.nodes[static_cast<std::size_t>(line.to)].point);
-      result_.network.lines.push_back(std::move(line));
-    }
-  }
-
-  void add_link(const Link& link) {
-    Line line;
-    line.from = node_at_.at(link.from);
-    line.to = node_at_.at(link.to);
-    line.points.push_back(result_.network.nodes[static_cast<std::size_t>(line.from)].point);
-    for (const CellIndex cell : link.cells) {
-      const std::int64_t squared = squared_distance(edges_, outlines_, cell, edges_[cell]);
-      line.points.push_back(centre(cell, std::sqrt(static_cast<double>(squared))));
-    }
-    line.points.push_back(result_.network.nodes[static_cast<std::size_t>(line.to)].point);
-    result_.network.lines.push_back(std::move(line));
-  }
-
-  FreeSpace& space_;
-  const Outlines& outlines_;
-  const EdgeGrid& edges_;
-  CellIndex stride_;
-  std::unordered_map<CellIndex, std::int32_t> node_at_;
-  TracedLines result_;
-};
-
-}  // namespace
-
-TracedLines trace_lines(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                        const std::vector<CellIndex>& corners, const std::vector<Link>& links) {
-  return LineTracer(space, outlines, edges).run(corners, links);
+std::vector<const TracedLine*> list_of(const std::vector<TracedLine>& lines) {
+  std::vector<const TracedLine*> list;
+  for (const TracedLine& line : lines) list.push_back(&line);
+  return list;
 }
 
 }  // namespace stope::topology

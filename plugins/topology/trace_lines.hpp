@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "plugins/topology/dividing_lines.hpp"
@@ -13,18 +15,79 @@ struct Link {
   std::vector<CellIndex> cells;  ///< the way, neighbours by side or corner; not empty
 };
 
-/// The dividing lines as a network, with the obstacle each belongs to.
-struct TracedLines {
-  LineNetwork network;
-  std::vector<CellIndex> corner;      ///< by node: where it is
-  std::vector<std::int32_t> outline;  ///< by node: an outline of the free space it lies in
+/// A dividing line from node to node: a node is a corner where lines meet or end, or that a link
+/// ends at. A ring without a node has one at its lowest corner (by CellIndex).
+struct TracedLine {
+  std::vector<CellIndex> corners;      ///< that it passes, both ends included
+  std::int32_t way = 0;                ///< its rank among those that start at its first corner
+  std::array<OutlineEdge, 2> sides{};  ///< an edge of the outline to either side, or -1: none
+  std::vector<LinePoint> points;       ///< one a step, and before and behind them the nodes'
+  double length = 0;                   ///< of the points
+  CellIndex from() const { return corners.front(); }
+  CellIndex to() const { return corners.back(); }
 };
 
-/// Follows the dividing lines from node to node: a node is a corner where they meet or end, or that
-/// a link ends at. Each step of a line gives one point, accurate to a fraction of a cell: where two
-/// cells see different obstacles, the place between their centres that is equally far from both.
-/// Cost: linear in the lines' length.
-TracedLines trace_lines(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                        const std::vector<CellIndex>& corners, const std::vector<Link>& links);
+/// Whether a line comes first in the order all lines are kept in: by first corner and way, which is
+/// a matter of geometry alone.
+inline bool comes_first(const TracedLine& a, const TracedLine& b) {
+  return a.from() != b.from() ? a.from() < b.from() : a.way < b.way;
+}
+
+/// Follows dividing lines from node to node, each from its lower end. Each step gives one point,
+/// accurate to a fraction of a cell: where two cells see different obstacles, the place between
+/// their centres that is equally far from both.
+class LineTracer {
+ public:
+  LineTracer(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges)
+      : space_(space), outlines_(outlines), edges_(edges), stride_(space.stride()) {}
+
+  /// Appends all lines not traced yet that pass one of the corners.
+  void trace(const std::vector<CellIndex>& corners, std::vector<TracedLine>& lines);
+  /// The line that a link becomes; the corners it joins must be nodes.
+  TracedLine link(const Link& link, std::int32_t rank) const;
+  /// Makes the steps of a line count as not traced.
+  void forget(const TracedLine& line);
+
+ private:
+  struct Steps {
+    std::array<Divide, 4> list;
+    std::array<std::int32_t, 4> way;
+    std::size_t count = 0;
+  };
+  Steps steps(CellIndex corner, bool untraced_only) const;
+  bool traced(Divide step) const;
+  bool ends_at(CellIndex corner) const;
+  CellIndex other_end(Divide step, CellIndex corner) const;
+  CellIndex ring_start(CellIndex corner) const;
+  void trace_from(CellIndex start, std::vector<TracedLine>& lines);
+  void turn_round(TracedLine& line, Divide last) const;
+  LinePoint centre(CellIndex cell, double distance) const;
+  LinePoint point(Divide step) const;
+  LinePoint node(CellIndex corner) const;
+  OutlineEdge edge_towards(CellIndex cell, int side) const;
+  double excess(CellIndex cell, OutlineEdge first, OutlineEdge second) const;
+
+  FreeSpace& space_;
+  const Outlines& outlines_;
+  const EdgeGrid& edges_;
+  CellIndex stride_;
+};
+
+/// All dividing lines, in order. Cost: linear in the lines' length.
+std::vector<TracedLine> trace_lines(FreeSpace& space, const Outlines& outlines,
+                                    const EdgeGrid& edges, const std::vector<CellIndex>& corners,
+                                    const std::vector<Link>& links);
+
+/// Which corners lines end at.
+struct LineEnds {
+  explicit LineEnds(const std::vector<const TracedLine*>& lines);
+  std::vector<CellIndex> corner;                               ///< by node, ascending
+  std::vector<std::pair<std::int32_t, std::int32_t>> of_line;  ///< nodes it starts and ends at
+};
+
+/// Lines in order as a network; its nodes are in the order of their corners.
+LineNetwork to_network(const std::vector<const TracedLine*>& lines);
+
+std::vector<const TracedLine*> list_of(const std::vector<TracedLine>& lines);
 
 }  // namespace stope::topology
