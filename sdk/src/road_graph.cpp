@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "measure_road.hpp"
 #include "stope/digest.hpp"
 
 namespace stope {
@@ -83,20 +84,6 @@ void sort_edges(RoadGraph& graph) {
   graph.vertices = std::move(vertices);
 }
 
-void measure(const RoadGraph& graph, RoadEdge& edge) {
-  const auto line = graph.polyline(edge);
-  edge.length = 0;
-  edge.min_clearance = line.front().clearance;
-  double area = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double step = std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
-    edge.length += step;
-    area += step * 0.5 * (line[i].clearance + line[i - 1].clearance);
-    edge.min_clearance = std::min(edge.min_clearance, line[i].clearance);
-  }
-  edge.mean_clearance = edge.length > 0 ? area / edge.length : line.front().clearance;
-}
-
 void identify(RoadGraph& graph) {
   for (RoadNode& node : graph.nodes) {
     if (node.id == 0) node.id = id_from({centimetres(node.x), centimetres(node.y)});
@@ -117,7 +104,7 @@ void canonicalize(RoadGraph& graph) {
   sort_nodes(graph);
   direct_edges(graph);
   sort_edges(graph);
-  for (RoadEdge& edge : graph.edges) measure(graph, edge);
+  for (RoadEdge& edge : graph.edges) measure_road(graph.polyline(edge), edge);
   identify(graph);
 }
 

@@ -90,8 +90,14 @@ struct RoadGraph {
   }
 };
 
-/// Brings a graph into canonical order and fills each edge's length and clearances from its
-/// vertices. Nodes and edges whose id is 0 get one made of their geometry (to the centimetre),
+/// Metres along an edge over which its grade and its curvature are measured; of a shorter edge the
+/// whole length.
+inline constexpr double kRoadGradeLength = 10.0, kRoadCurvatureLength = 10.0;
+
+/// Brings a graph into canonical order and fills each edge's length, clearances, grade and curvature
+/// from its vertices. The grade is that of the steepest stretch of kRoadGradeLength whose ends'
+/// heights are known, and stays as it is if no vertex has one; the curvature is the largest of a
+/// circle through both ends and the middle of a stretch of kRoadCurvatureLength. Nodes and edges whose id is 0 get one made of their geometry (to the centimetre),
 /// which stays the same while they do not move.
 STOPE_API void canonicalize(RoadGraph& graph);
 
