@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "plugins/topology/disjoint_sets.hpp"
 #include "plugins/topology/extract_roads.hpp"
+#include "plugins/topology/give_elevation.hpp"
 #include "stope/about.hpp"
 #include "stope/context.hpp"
 #include "stope/error.hpp"
@@ -30,6 +32,38 @@ void describe_extraction(About<Stage>& about) {
              "Give a graph without roads instead of an error, for streams of live grids.");
 }
 
+/// Of members that keep roads that end.
+template <class Stage>
+void describe_branches(About<Stage>& about) {
+  about
+      .param("min_branch", &BranchParams::min_branch, "m", at_least(0.0),
+             "A branch that ends must reach this much further than the inscribed circle at its "
+             "root.")
+      .param("min_branch_share", &BranchParams::min_branch_share, between(0.0, 10.0),
+             "… and this share of that circle's radius; corners reach 0.41.");
+}
+
+/// Why such a member found no road.
+inline std::string why_no_branches(const ExtractionParams& params, const BranchParams& branches) {
+  return fmt::format(
+      "every way is narrower than twice min_clearance ({} m), or no branch is as long as "
+      "min_branch ({} m) and min_branch_share ({}) ask for; lower them, or check the map's "
+      "resolution",
+      params.min_clearance, branches.min_branch, branches.min_branch_share);
+}
+
+/// The number of pieces of a network that no road connects.
+inline std::size_t count_pieces(const RoadGraph& roads) {
+  DisjointSets connected(roads.nodes.size());
+  std::size_t pieces = roads.nodes.size();
+  for (const RoadEdge& edge : roads.edges)
+    pieces -=
+        connected.join(static_cast<std::int32_t>(edge.from), static_cast<std::int32_t>(edge.to))
+            ? 1U
+            : 0U;
+  return pieces;
+}
+
 /// Logs what was found. Without any road throws Error unless params.allow_empty; `why` ends the
 /// sentence "the map has free cells but no road that can be extracted: …".
 inline void report_roads(const RoadGraph& roads, const ExtractionParams& params,
@@ -38,6 +72,12 @@ inline void report_roads(const RoadGraph& roads, const ExtractionParams& params,
     context.info(fmt::format("{} {} in {} {}", roads.edges.size(),
                              roads.edges.size() == 1 ? "road meets or ends" : "roads meet or end",
                              roads.nodes.size(), roads.nodes.size() == 1 ? "place" : "places"));
+    const std::size_t pieces = count_pieces(roads);
+    if (pieces > 1)
+      context.info(fmt::format(
+          "the roads are {} networks of their own: no way wider than twice min_clearance ({} m) "
+          "connects them",
+          pieces, params.min_clearance));
     return;
   }
   const std::string sentence =

@@ -3,32 +3,64 @@
 #include <vector>
 
 #include "plugins/topology/nearest_outline.hpp"
+#include "plugins/topology/outline_shape.hpp"
 
 namespace stope::topology {
 
 /// Which neighbouring cells belong to different sides of a road, by their nearest outline edges.
+/// Edges of different outlines always do. Two edges of one outline do or do not depending on these
+/// two and the outline between them, the shorter way round.
 class SideRule {
  public:
-  /// Cells are divided where their nearest edges belong to different outlines.
-  static SideRule between_outlines(const Outlines& outlines) { return {outlines, -1}; }
-  /// … or lie more than outlines.gap edges apart on the same one, the shorter way round.
-  static SideRule between_sides(const Outlines& outlines) { return {outlines, outlines.gap}; }
+  /// Never two edges of one outline: a watershed.
+  static SideRule between_outlines(const Outlines& outlines) { return {outlines, Kind::kOutlines}; }
+  /// If they lie more than outlines.gap edges apart along it.
+  static SideRule between_sides(const Outlines& outlines) { return {outlines, Kind::kSides}; }
+  /// If the way along it is at least `cells` longer than the straight one (Ogniewicz and Kuebler
+  /// 1995, chord residual).
+  static SideRule by_residual(const Outlines& outlines, const OutlineWays& ways, double cells) {
+    SideRule rule{outlines, Kind::kResidual};
+    rule.ways_ = &ways;
+    rule.least_ = cells;
+    return rule;
+  }
+  /// If their obstacle cells are at least `cells` apart (Chazal and Lieutier 2005, lambda).
+  static SideRule by_separation(const Outlines& outlines, double cells) {
+    SideRule rule{outlines, Kind::kSeparation};
+    rule.least_ = cells;
+    return rule;
+  }
+  /// If it turns towards the free side between them and they are more than outlines.gap apart.
+  static SideRule between_parts(const Outlines& outlines, const OutlineTurns& turns) {
+    SideRule rule{outlines, Kind::kParts};
+    rule.turns_ = &turns;
+    return rule;
+  }
 
+  /// False wherever the edges' numbers differ by at most outlines.gap.
   bool divided(OutlineEdge a, OutlineEdge b) const {
     const std::int32_t apart = a < b ? b - a : a - b;
     return apart > outlines_->gap && divided_far(a, b, apart);
   }
 
  private:
-  SideRule(const Outlines& outlines, std::int32_t bound) : outlines_(&outlines), bound_(bound) {}
+  enum class Kind { kOutlines, kSides, kResidual, kSeparation, kParts };
+  SideRule(const Outlines& outlines, Kind kind) : outlines_(&outlines), kind_(kind) {}
   bool divided_far(OutlineEdge a, OutlineEdge b, std::int32_t apart) const {
     const std::int32_t outline = outlines_->of_edge[static_cast<std::size_t>(a)];
     if (outline != outlines_->of_edge[static_cast<std::size_t>(b)]) return true;
-    if (bound_ < 0) return false;
-    return outlines_->list[static_cast<std::size_t>(outline)].count - apart > bound_;
+    if (kind_ == Kind::kOutlines) return false;
+    const Outline& whole = outlines_->list[static_cast<std::size_t>(outline)];
+    if (whole.count - apart <= outlines_->gap) return false;
+    return kind_ == Kind::kSides || divided_within(a, b, outline);
   }
+  bool divided_within(OutlineEdge a, OutlineEdge b, std::int32_t outline) const;
+
   const Outlines* outlines_;
-  std::int32_t bound_;
+  const OutlineWays* ways_ = nullptr;
+  const OutlineTurns* turns_ = nullptr;
+  Kind kind_;
+  double least_ = 0;
 };
 
 /// One step of a dividing line: the side between a cell and its eastern or northern neighbour.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "plugins/topology/connect_pieces.hpp"
 #include "plugins/topology/drop_narrow.hpp"
@@ -13,6 +14,9 @@ namespace stope::topology {
 namespace {
 
 constexpr double kJunctionShare = 1.5;
+// Below these, in cells, a rule would follow the raster's steps.
+constexpr double kLeastResidual = 2.0;
+constexpr double kLeastLambda = 4.0;
 
 /// Free space, its outlines and the nearest of them for each cell.
 struct Terrain {
@@ -58,15 +62,14 @@ RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& par
                        params.simplify, checkpoint);
 }
 
-RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& params,
-                        const BranchParams& branches, const Checkpoint& checkpoint) {
-  // Both sides of a branch that reaches so far are at least as long.
-  const double reach = branches.min_branch / grid.frame.resolution;
-  const auto gap = static_cast<std::int32_t>(std::clamp(std::floor(reach), 3.0, 1e6));
-  Terrain terrain(grid, params, gap, checkpoint);
+namespace {
+
+/// From dividing lines, some of which end, to the graph.
+RoadGraph branching_roads(const OccupancyGrid& grid, Terrain& terrain, const SideRule& rule,
+                          const ExtractionParams& params, const BranchParams& branches,
+                          const Checkpoint& checkpoint) {
   const auto corners =
-      find_dividing_lines(terrain.space, terrain.outlines,
-                          SideRule::between_sides(terrain.outlines), terrain.edges, checkpoint);
+      find_dividing_lines(terrain.space, terrain.outlines, rule, terrain.edges, checkpoint);
   const std::vector<TracedLine> lines =
       trace_lines(terrain.space, terrain.outlines, terrain.edges, corners, {});
   checkpoint();
@@ -74,13 +77,56 @@ RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& param
       connect_pieces(terrain.space, terrain.outlines, terrain.edges, list_of(lines), checkpoint);
   checkpoint();
   drop_below_clearance(network, grid.frame, params.min_clearance);
-  prune_spurs(network, {reach, branches.min_branch_share});
+  prune_spurs(network, {branches.min_branch / grid.frame.resolution, branches.min_branch_share});
   checkpoint();
   merge_junctions(network, kJunctionShare);
   checkpoint();
   straighten_junctions(network);
   return to_road_graph(network, terrain.outlines, terrain.edges, terrain.space, grid.frame,
                        params.simplify, checkpoint);
+}
+
+/// The most edges that two cells with sides of a given length between them may be apart.
+std::int32_t gap_of(double cells) {
+  return static_cast<std::int32_t>(std::clamp(std::floor(cells), 3.0, 1e6));
+}
+
+}  // namespace
+
+RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                        const BranchParams& branches, const Checkpoint& checkpoint) {
+  // Both sides of a branch that reaches so far are at least as long.
+  Terrain terrain(grid, params, gap_of(branches.min_branch / grid.frame.resolution), checkpoint);
+  return branching_roads(grid, terrain, SideRule::between_sides(terrain.outlines), params, branches,
+                         checkpoint);
+}
+
+RoadGraph skeleton_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                         const BranchParams& branches, const SkeletonParams& skeleton,
+                         const Checkpoint& checkpoint) {
+  // Two cells by whose numbers they are n apart are at most 1.42 n cells apart, along and across.
+  constexpr double kCellsPerEdge = std::numbers::sqrt2;
+  const bool by_lambda = skeleton.pruning == SkeletonParams::Pruning::kLambda;
+  const double cells =
+      std::max((by_lambda ? skeleton.lambda : skeleton.residual) / grid.frame.resolution,
+               by_lambda ? kLeastLambda : kLeastResidual);
+  Terrain terrain(grid, params, gap_of(cells / kCellsPerEdge), checkpoint);
+  if (by_lambda)
+    return branching_roads(grid, terrain, SideRule::by_separation(terrain.outlines, cells), params,
+                           branches, checkpoint);
+  const OutlineWays ways = measure_ways(terrain.outlines);
+  return branching_roads(grid, terrain, SideRule::by_residual(terrain.outlines, ways, cells),
+                         params, branches, checkpoint);
+}
+
+RoadGraph watershed_part_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                               const BranchParams& branches, const PartParams& parts,
+                               const Checkpoint& checkpoint) {
+  Terrain terrain(grid, params, gap_of(branches.min_branch / grid.frame.resolution), checkpoint);
+  const OutlineTurns turns =
+      find_turns(terrain.outlines, {parts.corner_angle, parts.part_length / grid.frame.resolution});
+  return branching_roads(grid, terrain, SideRule::between_parts(terrain.outlines, turns), params,
+                         branches, checkpoint);
 }
 
 }  // namespace stope::topology

@@ -17,10 +17,24 @@ struct ExtractionParams {
   bool allow_empty = false;  ///< heeded by the stages: the functions below give empty graphs
 };
 
-/// When voronoi keeps a branch that ends; metres.
+/// When a branch that ends is kept; metres.
 struct BranchParams {
   double min_branch = 4.0;
   double min_branch_share = 0.75;
+};
+
+/// Which lines of the medial axis a skeleton has, before its branches are judged; metres.
+struct SkeletonParams {
+  enum class Pruning { kChordResidual, kLambda };
+  Pruning pruning = Pruning::kChordResidual;
+  double residual = 1.0;  ///< least way along the outline beyond the straight one
+  double lambda = 4.0;    ///< least distance of the two places seen
+};
+
+/// How a watershed splits outlines into sites: where they turn towards free space.
+struct PartParams {
+  double corner_angle = 1.0;  ///< radians
+  double part_length = 40.0;  ///< metres within which the outline turns so far
 };
 
 /// Roads between different obstacles only.
@@ -30,5 +44,15 @@ RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& par
 /// Roads between different obstacles and between different sides of one, dead ends included.
 RoadGraph voronoi_roads(const OccupancyGrid& grid, const ExtractionParams& params,
                         const BranchParams& branches, const Checkpoint& checkpoint = never_stop);
+
+/// Roads along the medial axis, between different obstacles and between sides of one.
+RoadGraph skeleton_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                         const BranchParams& branches, const SkeletonParams& skeleton,
+                         const Checkpoint& checkpoint = never_stop);
+
+/// Roads between different obstacles and between parts of one, dead ends included.
+RoadGraph watershed_part_roads(const OccupancyGrid& grid, const ExtractionParams& params,
+                               const BranchParams& branches, const PartParams& parts,
+                               const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

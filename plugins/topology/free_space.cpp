@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "plugins/topology/check_frame.hpp"
 #include "stope/error.hpp"
 
 namespace stope::topology {
@@ -14,19 +15,7 @@ namespace {
 
 void check(const OccupancyGrid& grid) {
   const GridFrame& frame = grid.frame;
-  if (frame.width <= 0 || frame.height <= 0)
-    throw Error(fmt::format("the occupancy grid is empty ({} x {} cells); a road graph needs a map",
-                            frame.width, frame.height));
-  if (grid.cells.size() != frame.size())
-    throw Error(
-        fmt::format("the occupancy grid says {} x {} cells but holds {}; its source is "
-                    "at fault",
-                    frame.width, frame.height, grid.cells.size()));
-  if (!(frame.resolution > 0) || !std::isfinite(frame.resolution))
-    throw Error(
-        fmt::format("the occupancy grid has a resolution of {} m a cell; it must be a "
-                    "positive number",
-                    frame.resolution));
+  check_frame(frame, grid.cells.size(), "occupancy");
   const auto padded =
       (static_cast<std::int64_t>(frame.width) + 2) * (static_cast<std::int64_t>(frame.height) + 2);
   if (padded > std::numeric_limits<CellIndex>::max())

@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <string>
-
 #include "plugins/topology/describe_extraction.hpp"
 #include "plugins/topology/extract_roads.hpp"
 #include "stope/stope.hpp"
@@ -9,7 +5,7 @@
 namespace stope::topology {
 
 /// Road graph along the generalised Voronoi diagram of the obstacles. See docs/topology.md.
-class Voronoi final : public Map<RoadGraph(OccupancyGrid)> {
+class Voronoi final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGrid>)> {
  public:
   struct Params : ExtractionParams, BranchParams {
   } params;
@@ -25,29 +21,17 @@ class Voronoi final : public Map<RoadGraph(OccupancyGrid)> {
             "Keeps a dead end if it reaches further than min_branch beyond the road it leaves "
             "and further than min_branch_share times its own half width; ends it where its full "
             "width ends. Every hole keeps its cycle, every piece of free space stays connected.")
-        .ports("grid", "roads");
+        .ports("grid", "elevation", "roads");
     describe_extraction(about);
-    about
-        .param("min_branch", &BranchParams::min_branch, "m", at_least(0.0),
-               "A branch that ends must reach this much further than the inscribed circle at its "
-               "root.")
-        .param("min_branch_share", &BranchParams::min_branch_share, between(0.0, 10.0),
-               "… and this share of that circle's radius; corners reach 0.41.");
+    describe_branches(about);
   }
 
-  RoadGraph apply(const OccupancyGrid& grid, Context& context) const {
+  RoadGraph apply(const OccupancyGrid& grid, const Optional<ElevationGrid>& elevation,
+                  Context& context) const {
     RoadGraph roads = voronoi_roads(grid, params, params, [&] { context.stop_if_cancelled(); });
-    report_roads(roads, params, why_none(), context);
+    report_roads(roads, params, why_no_branches(params, params), context);
+    if (elevation) give_elevation(roads, *elevation);
     return roads;
-  }
-
- private:
-  std::string why_none() const {
-    return fmt::format(
-        "every way is narrower than twice min_clearance ({} m), or no branch is as long as "
-        "min_branch ({} m) and min_branch_share ({}) ask for; lower them, or check the map's "
-        "resolution",
-        params.min_clearance, params.min_branch, params.min_branch_share);
   }
 };
 

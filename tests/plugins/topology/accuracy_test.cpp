@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "plugins/topology/extract_roads.hpp"
 #include "tests/plugins/topology/graph_checks.hpp"
 #include "tests/plugins/topology/test_grids.hpp"
@@ -98,12 +100,13 @@ std::vector<RoadNode> junctions_of(const RoadGraph& roads) {
 
 class Accuracy : public testing::TestWithParam<std::tuple<double, double>> {};
 
-TEST_P(Accuracy, VoronoiFollowsCentreLinesToTheirEnds) {
-  const auto [resolution, rough] = GetParam();
+void expect_centre_lines_to_their_ends(
+    double resolution, double rough,
+    const std::function<RoadGraph(const OccupancyGrid& grid)>& extract) {
   std::uint64_t seed = 0;
   for (const Network& network : networks()) {
     const OccupancyGrid grid = draw(network, resolution, rough, ++seed);
-    const RoadGraph roads = voronoi_roads(grid, {}, {});
+    const RoadGraph roads = extract(grid);
     EXPECT_EQ(nodes_of_degree(roads, 1).size(), network.ends.size()) << network.name;
     EXPECT_EQ(junctions_of(roads).size(), network.junctions.size()) << network.name;
     // A road's end is the centre of its last full-width circle.
@@ -114,6 +117,28 @@ TEST_P(Accuracy, VoronoiFollowsCentreLinesToTheirEnds) {
       EXPECT_NEAR(roads.edges[0].width, 2 * network.half_width, 1.0) << network.name;
     }
   }
+}
+
+TEST_P(Accuracy, VoronoiFollowsCentreLinesToTheirEnds) {
+  const auto [resolution, rough] = GetParam();
+  expect_centre_lines_to_their_ends(
+      resolution, rough, [](const OccupancyGrid& grid) { return voronoi_roads(grid, {}, {}); });
+}
+
+TEST_P(Accuracy, SkeletonFollowsCentreLinesToTheirEnds) {
+  const auto [resolution, rough] = GetParam();
+  for (const auto pruning :
+       {SkeletonParams::Pruning::kChordResidual, SkeletonParams::Pruning::kLambda})
+    expect_centre_lines_to_their_ends(resolution, rough, [&](const OccupancyGrid& grid) {
+      return skeleton_roads(grid, {}, {}, {pruning});
+    });
+}
+
+TEST_P(Accuracy, WatershedOfPartsFollowsCentreLinesToTheirEnds) {
+  const auto [resolution, rough] = GetParam();
+  expect_centre_lines_to_their_ends(resolution, rough, [](const OccupancyGrid& grid) {
+    return watershed_part_roads(grid, {}, {}, {});
+  });
 }
 
 TEST_P(Accuracy, WatershedFollowsCentreLinesOfLoops) {

@@ -26,6 +26,33 @@ TEST_P(Homotopy, VoronoiHasAPieceForEachPieceAndACycleForEachHole) {
   }
 }
 
+TEST_P(Homotopy, SkeletonHasAPieceForEachPieceAndACycleForEachHole) {
+  const auto [free, block, min_branch] = GetParam();
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const OccupancyGrid grid = random_grid(90, 70, free, block, seed);
+    for (const auto pruning :
+         {SkeletonParams::Pruning::kChordResidual, SkeletonParams::Pruning::kLambda}) {
+      for (const double least : {0.0, 8.0}) {
+        const RoadGraph roads =
+            skeleton_roads(grid, everything(), {min_branch, 0.75}, {pruning, least, least});
+        EXPECT_EQ(betti_of(roads), betti_of(grid)) << "seed " << seed << " least " << least;
+      }
+    }
+  }
+}
+
+TEST_P(Homotopy, WatershedOfPartsHasAPieceForEachPieceAndACycleForEachHole) {
+  const auto [free, block, min_branch] = GetParam();
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const OccupancyGrid grid = random_grid(90, 70, free, block, seed);
+    for (const double length : {4.0, 40.0}) {
+      const RoadGraph roads =
+          watershed_part_roads(grid, everything(), {min_branch, 0.75}, {1.0, length});
+      EXPECT_EQ(betti_of(roads), betti_of(grid)) << "seed " << seed << " length " << length;
+    }
+  }
+}
+
 TEST_P(Homotopy, WatershedHasACycleForEachHole) {
   const auto [free, block, min_branch] = GetParam();
   for (std::uint64_t seed = 0; seed < 12; ++seed) {

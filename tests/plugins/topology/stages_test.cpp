@@ -10,6 +10,7 @@
 
 extern "C" const stope::StageEntry* stope_stage_Watershed();
 extern "C" const stope::StageEntry* stope_stage_Voronoi();
+extern "C" const stope::StageEntry* stope_stage_Skeleton();
 
 namespace stope::topology {
 namespace {
@@ -23,23 +24,39 @@ StageInfo info_of(const StageEntry& entry) {
   return info;
 }
 
+std::vector<const StageEntry*> members() {
+  return {stope_stage_Watershed(), stope_stage_Voronoi(), stope_stage_Skeleton()};
+}
+
 TEST(Stages, AreInterchangeable) {
-  const StageInfo watershed = info_of(*stope_stage_Watershed());
-  const StageInfo voronoi = info_of(*stope_stage_Voronoi());
-  EXPECT_EQ(watershed.id, "topology/watershed");
-  EXPECT_EQ(voronoi.id, "topology/voronoi");
-  for (const StageInfo& info : {watershed, voronoi}) {
-    ASSERT_EQ(info.inputs.size(), 1U);
+  EXPECT_EQ(info_of(*stope_stage_Watershed()).id, "topology/watershed");
+  EXPECT_EQ(info_of(*stope_stage_Voronoi()).id, "topology/voronoi");
+  EXPECT_EQ(info_of(*stope_stage_Skeleton()).id, "topology/skeleton");
+  for (const StageEntry* entry : members()) {
+    const StageInfo info = info_of(*entry);
+    ASSERT_EQ(info.inputs.size(), 2U);
     EXPECT_EQ(info.inputs[0].name, "grid");
     EXPECT_EQ(info.inputs[0].type, "stope/OccupancyGrid@1");
+    EXPECT_EQ(info.inputs[1].name, "elevation");
+    EXPECT_EQ(info.inputs[1].type, "stope/ElevationGrid@1");
+    EXPECT_FALSE(info.inputs[1].required);
     ASSERT_EQ(info.outputs.size(), 1U);
     EXPECT_EQ(info.outputs[0].name, "roads");
     EXPECT_EQ(info.outputs[0].type, "stope/RoadGraph@2");
   }
-  // What watershed can be told, voronoi can be told as well.
-  ASSERT_LE(watershed.parameters.size(), voronoi.parameters.size());
-  for (std::size_t i = 0; i < watershed.parameters.size(); ++i)
-    EXPECT_EQ(watershed.parameters[i].name, voronoi.parameters[i].name);
+}
+
+// A pipeline that tells voronoi something can put any other member in its place.
+TEST(Stages, WhatVoronoiCanBeToldTheOthersCanBeToldAsWell) {
+  const StageInfo voronoi = info_of(*stope_stage_Voronoi());
+  for (const StageEntry* entry : members()) {
+    const StageInfo info = info_of(*entry);
+    ASSERT_LE(voronoi.parameters.size(), info.parameters.size());
+    for (std::size_t i = 0; i < voronoi.parameters.size(); ++i) {
+      EXPECT_EQ(voronoi.parameters[i].name, info.parameters[i].name);
+      EXPECT_EQ(voronoi.parameters[i].default_value, info.parameters[i].default_value);
+    }
+  }
 }
 
 TEST(Stages, WatershedSaysThatDeadEndsAreLost) {
@@ -62,10 +79,14 @@ TEST(Stages, AGraphWithoutRoadsIsAnErrorThatSaysWhatToDo) {
   for (const char* part : {"at least one obstacle or hole inside the free space",
                            "min_obstacle_area (10 m^2)", "topology/voronoi", "allow_empty"})
     EXPECT_NE(watershed.find(part), std::string::npos) << watershed;
-  const std::string voronoi = error_of(
-      [] { StageHarness(stope_stage_Voronoi()).input("grid", yard()).apply<RoadGraph>(); });
-  for (const char* part : {"min_clearance (2 m)", "min_branch (4 m)", "allow_empty"})
-    EXPECT_NE(voronoi.find(part), std::string::npos) << voronoi;
+  StageHarness parts(stope_stage_Watershed()), voronoi(stope_stage_Voronoi()),
+      skeleton(stope_stage_Skeleton());
+  parts.set("sites", std::string("outline_parts"));
+  for (StageHarness* stage : {&parts, &voronoi, &skeleton}) {
+    const std::string sentence = error_of([&] { stage->input("grid", yard()).apply<RoadGraph>(); });
+    for (const char* part : {"min_clearance (2 m)", "min_branch (4 m)", "allow_empty"})
+      EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
+  }
 }
 
 TEST(Stages, AnObstacleTooSmallToCountMakesNoRoad) {
@@ -78,7 +99,7 @@ TEST(Stages, AnObstacleTooSmallToCountMakesNoRoad) {
 }
 
 TEST(Stages, AllowEmptyGivesTheEmptyGraphAndSaysSo) {
-  for (const StageEntry* entry : {stope_stage_Watershed(), stope_stage_Voronoi()}) {
+  for (const StageEntry* entry : members()) {
     StageHarness stage(entry);
     stage.set("allow_empty", true).input("grid", yard());
     EXPECT_TRUE(stage.apply<RoadGraph>().edges.empty());
@@ -89,7 +110,7 @@ TEST(Stages, AllowEmptyGivesTheEmptyGraphAndSaysSo) {
 }
 
 TEST(Stages, WithoutAFreeCellTheyFailEvenIfEmptyIsAllowed) {
-  for (const StageEntry* entry : {stope_stage_Watershed(), stope_stage_Voronoi()}) {
+  for (const StageEntry* entry : members()) {
     StageHarness stage(entry);
     stage.set("allow_empty", true).input("grid", grid_of({"###", "###"}));
     EXPECT_NE(error_of([&] { stage.apply<RoadGraph>(); }).find("no free cell"), std::string::npos);
@@ -97,7 +118,7 @@ TEST(Stages, WithoutAFreeCellTheyFailEvenIfEmptyIsAllowed) {
 }
 
 TEST(Stages, GiveUpWhenTheRunIsCancelled) {
-  for (const StageEntry* entry : {stope_stage_Watershed(), stope_stage_Voronoi()}) {
+  for (const StageEntry* entry : members()) {
     StageHarness stage(entry);
     stage.input("grid", yard_with_block()).context().cancel = true;
     EXPECT_THROW(stage.apply<RoadGraph>(), Cancelled);

@@ -1,0 +1,131 @@
+// Problem: an outline is a staircase of cell sides; say how long it is and where it really turns.
+// Idea: a side's heading is a right angle, so positions and headings along an outline are sums of
+// whole numbers. Differences of their prefix sums give chords and mean headings of any window, the
+// same ones wherever the outline starts. Cost: linear in the outlines' length.
+#include "plugins/topology/outline_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace stope::topology {
+namespace {
+
+std::size_t at(std::int64_t place) { return static_cast<std::size_t>(place); }
+
+/// By edge: on which Side of its obstacle cell it is.
+std::vector<std::uint8_t> sides_of_edges(const Outlines& outlines) {
+  std::vector<std::uint8_t> result(outlines.place.size(), 0);
+  for (const auto& sides : outlines.sides)
+    for (int side = 0; side < 4; ++side)
+      if (const OutlineEdge edge = sides[at(side)];
+          edge >= 0 && at(edge) < result.size() && outlines.of_edge[at(edge)] >= 0)
+        result[at(edge)] = static_cast<std::uint8_t>(side);
+  return result;
+}
+
+/// Sums over a closed outline's edges, for windows that may pass its first edge.
+class RoundSums {
+ public:
+  explicit RoundSums(std::size_t count) { sums_.reserve(count + 1), sums_.push_back(0); }
+  void add(std::int64_t value) { sums_.push_back(sums_.back() + value); }
+  /// Of the edges before `edge`, which may lie up to one round outside of the outline.
+  std::int64_t before(std::int64_t edge) const {
+    const auto count = static_cast<std::int64_t>(sums_.size()) - 1;
+    if (edge < 0) return sums_[at(edge + count)] - sums_.back();
+    if (edge > count) return sums_[at(edge - count)] + sums_.back();
+    return sums_[at(edge)];
+  }
+
+ private:
+  std::vector<std::int64_t> sums_;
+};
+
+/// The outline's heading at each edge, in right turns since its first edge.
+std::vector<std::int64_t> headings(const Outline& outline, const std::vector<std::uint8_t>& sides) {
+  std::vector<std::int64_t> result(at(outline.count), 0);
+  for (std::int32_t i = 1; i < outline.count; ++i) {
+    const int turn = (sides[at(outline.first + i - 1)] - sides[at(outline.first + i)] + 4) % 4;
+    result[at(i)] = result[at(i) - 1] + (turn == 3 ? -1 : turn);
+  }
+  return result;
+}
+
+/// Marks the edges where the heading turns right by `least` right angles within 2 * half edges.
+void mark_turns(const std::vector<std::int64_t>& heading, std::int64_t all_round, std::int64_t half,
+                double least, std::vector<bool>& turning) {
+  const auto count = static_cast<std::int64_t>(heading.size());
+  half = std::min(half, count / 4);
+  const std::int64_t reach = half / 4;
+  if (half < 2) return;
+  RoundSums sums(heading.size());
+  for (const std::int64_t right_turns : heading) sums.add(right_turns);
+  // Beyond the first edge the heading goes on by a whole round.
+  const auto before = [&](std::int64_t edge) {
+    std::int64_t rounds = 0;
+    if (edge < 0) rounds = -edge;
+    if (edge > count) rounds = edge - count;
+    return sums.before(edge) + rounds * all_round;
+  };
+  const auto mean = [&](std::int64_t edge) {
+    return static_cast<double>(before(edge + reach + 1) - before(edge - reach)) /
+           static_cast<double>(2 * reach + 1);
+  };
+  for (std::int64_t i = 0; i < count; ++i)
+    if (mean(i + half) - mean(i - half) >= least) turning[at(i)] = true;
+}
+
+}  // namespace
+
+OutlineWays measure_ways(const Outlines& outlines) {
+  constexpr std::int64_t kReach = 4;
+  constexpr std::array<int, 4> kEastward{0, -1, 0, 1}, kNorthward{1, 0, -1, 0};  // by Side
+  const std::vector<std::uint8_t> sides = sides_of_edges(outlines);
+  OutlineWays ways;
+  ways.way.resize(outlines.place.size(), 0);
+  for (const Outline& outline : outlines.list) {
+    RoundSums east(at(outline.count)), north(at(outline.count));
+    for (std::int32_t i = 0; i < outline.count; ++i) {
+      east.add(kEastward[sides[at(outline.first + i)]]);
+      north.add(kNorthward[sides[at(outline.first + i)]]);
+    }
+    const std::int64_t reach = std::min<std::int64_t>(kReach, outline.count / 8);
+    std::int64_t way = 0;
+    for (std::int32_t i = 0; i < outline.count; ++i) {
+      ways.way[at(outline.first + i)] = way;
+      const auto dx = static_cast<double>(east.before(i + reach + 1) - east.before(i - reach));
+      const auto dy = static_cast<double>(north.before(i + reach + 1) - north.before(i - reach));
+      way += std::llround(OutlineWays::kUnit * std::sqrt(dx * dx + dy * dy) /
+                          static_cast<double>(2 * reach + 1));
+    }
+    ways.whole.push_back(way);
+  }
+  return ways;
+}
+
+OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule) {
+  const std::vector<std::uint8_t> sides = sides_of_edges(outlines);
+  const double least = rule.angle / (std::numbers::pi / 2) - 1e-9;
+  OutlineTurns turns;
+  turns.before.resize(outlines.place.size(), 0);
+  for (const Outline& outline : outlines.list) {
+    const auto heading = headings(outline, sides);
+    const int last_turn =
+        (sides[at(outline.first + outline.count - 1)] - sides[at(outline.first)] + 4) % 4;
+    const std::int64_t all_round = heading.back() + (last_turn == 3 ? -1 : last_turn);
+    std::vector<bool> turning(heading.size(), false);
+    for (const double part : {0.5, 0.25, 0.125})
+      mark_turns(heading, all_round, std::llround(part * std::min(rule.length, 1e9)), least,
+                 turning);
+    std::int32_t count = 0;
+    for (std::int32_t i = 0; i < outline.count; ++i) {
+      turns.before[at(outline.first + i)] = count;
+      count += turning[at(i)] ? 1 : 0;
+    }
+    turns.whole.push_back(count);
+  }
+  return turns;
+}
+
+}  // namespace stope::topology
