@@ -8,12 +8,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <vector>
 
-#include "stope/error.hpp"
+#include "framework/cache/checked_file.hpp"
 
 namespace stope {
 namespace {
@@ -53,21 +51,9 @@ std::int64_t nanoseconds(const timespec& time) {
 }  // namespace
 
 FileDigests::FileDigests(fs::path table) : table_(std::move(table)) {
-  std::ifstream stream(table_, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (bytes.size() < sizeof(Digest)) return;
-  const auto all = std::as_bytes(std::span(bytes.data(), bytes.size()));
-  try {
-    ByteReader reader(all);
-    Table saved;
-    Digest digest;
-    decode(saved, reader);
-    reader.read(&digest, sizeof digest);
-    if (digest != digest_of(saved) || saved.paths.size() != saved.known.size()) return;
-    for (std::size_t i = 0; i < saved.paths.size(); ++i) known_[saved.paths[i]] = saved.known[i];
-  } catch (const Error&) {
-    known_.clear();
-  }
+  const auto saved = load_checked<Table>(table_);
+  if (!saved || saved->paths.size() != saved->known.size()) return;
+  for (std::size_t i = 0; i < saved->paths.size(); ++i) known_[saved->paths[i]] = saved->known[i];
 }
 
 void FileDigests::save() const {
@@ -76,22 +62,11 @@ void FileDigests::save() const {
     table.paths.push_back(path);
     table.known.push_back(known);
   }
-  ByteBuffer writer;
-  encode(table, writer);
-  const Digest digest = digest_of(table);
-  writer.write(&digest, sizeof digest);
-  const fs::path pending = table_.string() + fmt::format(".{}", ::getpid());
-  std::error_code ignored;
-  {
-    std::ofstream stream(pending, std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(writer.bytes().data()),
-                 static_cast<std::streamsize>(writer.bytes().size()));
-    if (!stream.flush()) {
-      fs::remove(pending, ignored);
-      return;
-    }
+  try {
+    save_checked(table_, table);
+  } catch (const Error&) {
+    // The next process digests the files once more.
   }
-  fs::rename(pending, table_, ignored);
 }
 
 Digest FileDigests::of(const fs::path& path) {

@@ -1,0 +1,118 @@
+#include "framework/cache/keeper.hpp"
+
+#include <fmt/format.h>
+
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "stope/error.hpp"
+
+namespace stope {
+namespace {
+
+/// One output that is being kept. Its sink alone writes it.
+struct Recording {
+  PlannedSource source;
+  std::size_t stage = 0;  ///< place in State::stages
+  KeptOutput output;
+  bool failed = false;
+};
+
+struct StageRecording {
+  Digest key;
+  std::size_t open = 0;  ///< outputs that have not ended
+  KeptStage kept;
+};
+
+}  // namespace
+
+struct Keeper::State {
+  const Plan& plan;
+  KeptStages& kept;
+  ObjectStore& store;
+  std::vector<Recording> recordings;
+  std::vector<StageRecording> stages;
+  mutable std::mutex mutex;  ///< of stages and complaint
+  std::string complaint;
+
+  void fail(Recording& recording, const Error& error) {
+    recording.failed = true;
+    const std::lock_guard lock(mutex);
+    if (complaint.empty()) complaint = error.what();
+  }
+
+  void take(Recording& recording, const AnyItem& item) {
+    if (recording.failed) return;
+    try {
+      const auto value = item.payload->pin();
+      const StoredObject object =
+          store.put([&](ByteSink& sink) { item.payload->type().encode(value.get(), sink); });
+      recording.output.items.push_back({item.stamp, item.index, object.digest, object.size});
+    } catch (const Error& error) {
+      fail(recording, error);
+    }
+  }
+
+  void finish(Recording& recording) {
+    const std::lock_guard lock(mutex);
+    StageRecording& stage = stages[recording.stage];
+    if (!recording.failed) stage.kept.outputs.push_back(std::move(recording.output));
+    if (--stage.open > 0 || stage.kept.outputs.empty()) return;
+    try {
+      kept.save(stage.key, stage.kept);
+    } catch (const Error& error) {
+      if (complaint.empty()) complaint = error.what();
+    }
+  }
+};
+
+Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
+               const std::vector<PlannedSource>& wanted, Keep keep, KeptStages& kept,
+               ObjectStore& store)
+    : state_(new State{plan, kept, store, {}, {}, {}, {}}) {
+  if (keep == Keep::kNothing) return;
+  std::set<std::pair<std::size_t, std::size_t>> read;
+  for (const PlannedSource& source : wanted) read.emplace(source.stage, source.port);
+  for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+    if (reuse.fates[i] != Fate::kRuns) continue;
+    for (const auto& source : plan.stages[i].inputs)
+      if (source) read.emplace(source->stage, source->port);
+  }
+  std::vector<std::size_t> place(plan.stages.size(), plan.stages.size());
+  for (const auto& [stage, port] : read) {
+    const PlannedStage& planned = plan.stages[stage];
+    if (reuse.fates[stage] != Fate::kRuns || keys[stage].only_this_run) continue;
+    if (keep == Keep::kValues && (planned.info.inputs.empty() || planned.streams[port])) continue;
+    if (place[stage] == plan.stages.size()) {
+      place[stage] = state_->stages.size();
+      state_->stages.push_back({keys[stage].digest, 0, {}});
+    }
+    ++state_->stages[place[stage]].open;
+    const PortInfo& info = planned.info.outputs[port];
+    state_->recordings.push_back(
+        {{stage, port}, place[stage], {info.name, info.type, info.layout, {}}, false});
+  }
+}
+
+Keeper::~Keeper() = default;
+
+std::vector<Sink> Keeper::sinks() {
+  std::vector<Sink> sinks;
+  for (Recording& recording : state_->recordings) {
+    const PlannedStage& stage = state_->plan.stages[recording.source.stage];
+    sinks.push_back(
+        {fmt::format("store of {}.{}", stage.name, stage.info.outputs[recording.source.port].name),
+         recording.source,
+         [this, &recording](const AnyItem& item) { state_->take(recording, item); },
+         [this, &recording] { state_->finish(recording); }});
+  }
+  return sinks;
+}
+
+std::string Keeper::complaint() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->complaint;
+}
+
+}  // namespace stope

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "framework/cache/kept_stage.hpp"
+#include "framework/cache/object_store.hpp"
+#include "framework/cache/reuse.hpp"
+#include "framework/executor/run.hpp"
+
+namespace stope {
+
+/// Which outputs a run keeps.
+enum class Keep : int {
+  kNothing,
+  kValues,  ///< maps, graphs, measures: small for the work they took. Streams are made again.
+  kAll
+};
+
+/// Writes outputs of a run into a store while it goes on. A stage whose outputs have all ended is
+/// known to the store at once, so that a run which is killed later need not begin anew.
+class Keeper {
+ public:
+  /// Keeps outputs of stages that run and are read, by another stage or `wanted` by the run;
+  /// others are never made. Sources are not kept unless all is: they have their data at hand. All
+  /// must live as long as the run.
+  Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
+         const std::vector<PlannedSource>& wanted, Keep keep, KeptStages& kept, ObjectStore& store);
+  ~Keeper();
+  /// Processes for run_plan(). They refer to this object. A store that cannot be written to fails
+  /// no run: `complaint()` tells.
+  std::vector<Sink> sinks();
+  /// Why something was not kept; empty if all was.
+  std::string complaint() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace stope

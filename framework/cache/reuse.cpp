@@ -1,0 +1,61 @@
+#include "framework/cache/reuse.hpp"
+
+#include <algorithm>
+
+namespace stope {
+namespace {
+
+class Decision {
+ public:
+  Decision(const Plan& plan, const std::vector<PlannedSource>& wanted) : plan_(plan) {
+    for (const PlannedStage& stage : plan.stages)
+      asked_.emplace_back(stage.info.outputs.size(), false);
+    for (const PlannedSource& source : wanted) asked_[source.stage][source.port] = true;
+  }
+
+  Reuse decide(const std::vector<StageKey>& keys, const KeptStages& kept,
+               const ObjectStore& store) {
+    Reuse reuse;
+    reuse.fates.resize(plan_.stages.size(), Fate::kNotNeeded);
+    reuse.stored.resize(plan_.stages.size());
+    // Inputs come from earlier stages, so going backwards everybody has been asked in time.
+    for (std::size_t stage = plan_.stages.size(); stage-- > 0;) {
+      if (std::find(asked_[stage].begin(), asked_[stage].end(), true) == asked_[stage].end())
+        continue;
+      auto found = keys[stage].only_this_run ? std::nullopt : kept.find(keys[stage].digest);
+      if (found && whole(stage, *found, store)) {
+        reuse.fates[stage] = Fate::kStored;
+        reuse.stored[stage] = *std::move(found);
+        continue;
+      }
+      reuse.fates[stage] = Fate::kRuns;
+      for (const auto& source : plan_.stages[stage].inputs)
+        if (source) asked_[source->stage][source->port] = true;
+    }
+    return reuse;
+  }
+
+ private:
+  bool whole(std::size_t stage, const KeptStage& found, const ObjectStore& store) const {
+    for (std::size_t port = 0; port < asked_[stage].size(); ++port) {
+      if (!asked_[stage][port]) continue;
+      const KeptOutput* output = found.find(plan_.stages[stage].info.outputs[port]);
+      const auto there = [&](const KeptItem& item) { return store.contains(item.object); };
+      if (!output || !std::all_of(output->items.begin(), output->items.end(), there)) return false;
+    }
+    return true;
+  }
+
+  const Plan& plan_;
+  std::vector<std::vector<bool>> asked_;  ///< by stage and port
+};
+
+}  // namespace
+
+Reuse decide(const Plan& plan, const std::vector<StageKey>& keys,
+             const std::vector<PlannedSource>& wanted, const KeptStages& kept,
+             const ObjectStore& store) {
+  return Decision(plan, wanted).decide(keys, kept, store);
+}
+
+}  // namespace stope

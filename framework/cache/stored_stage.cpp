@@ -1,0 +1,112 @@
+#include "framework/cache/stored_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <tuple>
+#include <utility>
+
+#include "stope/error.hpp"
+
+namespace stope {
+namespace {
+
+/// No stage of a plugin has such an id: it is not of the form family/name.
+constexpr std::string_view kPrefix = "stored:";
+
+/// Writes what the store holds of a stage's outputs, in the order of stamps.
+class StoredStage final : public StageInstance {
+ public:
+  StoredStage(const PlannedStage& stage, const KeptStage& kept,
+              std::unique_ptr<StageInstance> original, ObjectStore& store)
+      : stage_(stage),
+        kept_(kept),
+        original_(std::move(original)),
+        store_(store),
+        outputs_(stage.info.outputs.size(), nullptr) {}
+
+  const StageInfo& info() const noexcept override { return stage_.info; }
+  Outcome set_parameter(std::size_t, const ParameterValue&) noexcept override { return {}; }
+  void connect_input(std::size_t, InputPort*) noexcept override {}
+  void connect_output(std::size_t place, OutputPort* port) noexcept override {
+    outputs_[place] = port;
+  }
+  const PayloadType& output_type(std::size_t place) const noexcept override {
+    return original_->output_type(place);
+  }
+  Outcome run(Context&) noexcept override {
+    return guarded([&] {
+      for (const auto& [stamp, port, item] : in_time_order()) put(port, *item);
+    });
+  }
+  Outcome apply(std::span<const AnyItem>, Context&,
+                std::span<std::shared_ptr<const void>>) const noexcept override {
+    return {Outcome::Kind::kFailed, "a stored stage is run, not applied"};
+  }
+
+ private:
+  using Entry = std::tuple<Stamp, std::size_t, const KeptItem*>;
+
+  std::vector<Entry> in_time_order() const {
+    std::vector<Entry> entries;
+    for (std::size_t port = 0; port < outputs_.size(); ++port) {
+      if (!outputs_[port] || !outputs_[port]->wanted()) continue;
+      const KeptOutput* output = kept_.find(stage_.info.outputs[port]);
+      if (!output) continue;
+      for (const KeptItem& item : output->items) entries.emplace_back(item.stamp, port, &item);
+    }
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return std::get<Stamp>(a) < std::get<Stamp>(b);
+    });
+    return entries;
+  }
+
+  void put(std::size_t port, const KeptItem& item) {
+    const PayloadType& type = original_->output_type(port);
+    outputs_[port]->put_lazy(
+        item.stamp, item.index,
+        [&type, &store = store_, object = item.object, name = stage_.name] {
+          std::shared_ptr<const void> value;
+          if (!store.get(object, [&](ByteSource& source) { value = type.decode(source); }))
+            throw Error(fmt::format(
+                "what the store kept of stage \"{}\" has been damaged or removed since the run "
+                "began; run again, and it is computed anew",
+                name));
+          return value;
+        },
+        item.size);
+  }
+
+  const PlannedStage& stage_;
+  const KeptStage& kept_;
+  std::unique_ptr<StageInstance> original_;
+  ObjectStore& store_;
+  std::vector<OutputPort*> outputs_;
+};
+
+}  // namespace
+
+Plan with_reuse(const Plan& plan, const Reuse& reuse) {
+  Plan result = plan;
+  for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+    if (reuse.fates[i] == Fate::kRuns) continue;
+    PlannedStage& stage = result.stages[i];
+    stage.info.id = fmt::format("{}{}", kPrefix, i);
+    stage.info.map = stage.info.in_order = false;
+    stage.info.inputs.clear();
+    stage.inputs.clear();
+    stage.info.parameters.clear();
+    stage.parameters.clear();
+  }
+  return result;
+}
+
+std::unique_ptr<StageInstance> ReusingCatalogue::create(std::string_view id) const {
+  if (!id.starts_with(kPrefix)) return catalogue_.create(id);
+  std::size_t stage = 0;
+  std::from_chars(id.data() + kPrefix.size(), id.data() + id.size(), stage);
+  return std::make_unique<StoredStage>(plan_.stages[stage], reuse_.stored[stage],
+                                       catalogue_.create(plan_.stages[stage].info.id), store_);
+}
+
+}  // namespace stope
