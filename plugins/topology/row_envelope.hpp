@@ -19,70 +19,77 @@ namespace stope::topology {
 /// the obstacle cells alone: parts of a row can be computed apart.
 class RowEnvelope {
  public:
-  /// For at most `columns` obstacle cells a row.
-  explicit RowEnvelope(std::int32_t columns)
-      : column_(static_cast<std::size_t>(columns)),
-        site_row_(static_cast<std::size_t>(columns)),
-        level_(static_cast<std::size_t>(columns)) {}
+  /// An obstacle cell that is nearest to some real point of the row.
+  struct Piece {
+    std::int64_t level = 0;  ///< squared distance at column 0
+    std::int64_t rise = 0;   ///< … above its predecessor's
+    std::int32_t column = 0, site_row = 0;
+    std::int32_t apart = 0;  ///< columns from its predecessor
+  };
 
-  void start(std::int32_t row) {
+  /// For at most `columns` obstacle cells a row.
+  explicit RowEnvelope(std::int32_t columns) : pieces_(static_cast<std::size_t>(columns) + 1) {}
+
+  /// The first obstacle cell of a row, the westernmost.
+  void start(std::int32_t row, std::int32_t column, std::int32_t site_row) {
     row_ = row;
-    count_ = 0;
+    last_ = pieces_.data();
+    // Nothing is before it: so it is never covered, and begins where the row does.
+    *last_ = {level_of(column, site_row), -1, column, site_row, 0};
   }
 
   /// Adds an obstacle cell east of those added before.
   void add(std::int32_t column, std::int32_t site_row) {
-    const std::int64_t rows = site_row - row_;
-    const std::int64_t level = static_cast<std::int64_t>(column) * column + rows * rows;
-    std::size_t count = count_;
-    while (count > 1 && is_covered(count - 1, column, level)) --count;
-    column_[count] = column;
-    site_row_[count] = site_row;
-    level_[count] = level;
-    count_ = count + 1;
+    const std::int64_t level = level_of(column, site_row);
+    Piece* last = last_;
+    std::int64_t rise = level - last->level;
+    std::int64_t apart = column - last->column;
+    // Nowhere lower than both its predecessor and the parabola further east.
+    while (last->rise * apart >= rise * last->apart) {
+      --last;
+      rise = level - last->level;
+      apart = column - last->column;
+    }
+    *++last = {level, rise, column, site_row, static_cast<std::int32_t>(apart)};
+    last_ = last;
   }
 
-  /// Of the obstacle cells that are nearest to some real point of the row, from west to east.
-  std::size_t count() const { return count_; }
-  std::int32_t column(std::size_t piece) const { return column_[piece]; }
-  std::int32_t site_row(std::size_t piece) const { return site_row_[piece]; }
+  /// The obstacle cells that are left, from west to east.
+  const Piece* begin() const { return pieces_.data(); }
+  const Piece* end() const { return last_ + 1; }
 
   /// Calls write(begin, end, column, site_row) for each obstacle cell that is nearest to the cells
   /// of columns from `begin` to before `end`, within `from` to before `to`, from east to west.
   template <class Write>
   void for_each_piece(std::int32_t from, std::int32_t to, Write write) const {
     std::int32_t end = to;
-    for (std::size_t piece = count_; piece-- > 0 && end > from;) {
-      const std::int32_t begin = piece == 0 ? from : std::clamp(begin_of(piece), from, end);
+    for (const Piece* piece = last_; end > from; --piece) {
+      const std::int32_t begin = std::clamp(begin_of(*piece), from, end);
       if (begin == end) continue;
-      write(begin, end, column_[piece], site_row_[piece]);
+      write(begin, end, piece->column, piece->site_row);
       end = begin;
     }
   }
 
  private:
-  /// Whether a piece is nowhere lower than its predecessor and a parabola further east.
-  bool is_covered(std::size_t piece, std::int32_t column, std::int64_t level) const {
-    const std::int64_t before = column_[piece] - column_[piece - 1],
-                       after = column - column_[piece];
-    return (level_[piece] - level_[piece - 1]) * after >= (level - level_[piece]) * before;
+  std::int64_t level_of(std::int32_t column, std::int32_t site_row) const {
+    const std::int64_t rows = site_row - row_;
+    return static_cast<std::int64_t>(column) * column + rows * rows;
   }
 
   /// The first column, 0 or more, where a piece is lower than its predecessor.
-  std::int32_t begin_of(std::size_t piece) const {
-    const std::int64_t rise = level_[piece] - level_[piece - 1];
-    if (rise < 0) return 0;
-    const std::int64_t twice = 2 * (static_cast<std::int64_t>(column_[piece]) - column_[piece - 1]);
+  static std::int32_t begin_of(const Piece& piece) {
+    if (piece.rise < 0) return 0;
+    const std::int64_t twice = 2 * static_cast<std::int64_t>(piece.apart);
     // Division of 32 bits is several times faster on many machines, and mostly enough.
-    if (((rise | twice) >> 32) == 0)
-      return 1 + static_cast<std::int32_t>(static_cast<std::uint32_t>(rise) /
+    if (((piece.rise | twice) >> 32) == 0)
+      return 1 + static_cast<std::int32_t>(static_cast<std::uint32_t>(piece.rise) /
                                            static_cast<std::uint32_t>(twice));
-    return static_cast<std::int32_t>(std::min<std::int64_t>(rise / twice, INT32_MAX - 1)) + 1;
+    return static_cast<std::int32_t>(std::min<std::int64_t>(piece.rise / twice, INT32_MAX - 1)) + 1;
   }
 
-  std::vector<std::int32_t> column_, site_row_;
-  std::vector<std::int64_t> level_;  ///< squared distance at column 0
-  std::size_t count_ = 0;
+  std::vector<Piece> pieces_;
+  Piece* last_ = nullptr;
   std::int32_t row_ = 0;
 };
 

@@ -68,11 +68,11 @@ void update_nearest_outline(const std::vector<StaleSpan>& spans, const ColumnRea
       // An obstacle beside the run hides all beyond it.
       const std::int32_t first = is_free(begin - 1) ? span.first_column : begin - 1;
       const std::int32_t last = is_free(end) ? span.last_column : end;
-      envelope.start(row);
-      for (std::int32_t column = first; column <= last; ++column)
+      envelope.start(row, first, reach.nearest_row(space.index(first, row), row));
+      for (std::int32_t column = first + 1; column <= last; ++column)
         envelope.add(column, reach.nearest_row(space.index(column, row), row));
       envelope.for_each_piece(begin, end, [&](auto from, auto to, auto column, auto site_row) {
-        write_edges(outlines, edges, row, from, to, column, site_row);
+        write_edges(outlines, edges, row, begin, from, to, column, site_row);
       });
       begin = end;
     }

@@ -19,14 +19,19 @@ struct Transformed {
   Outlines outlines;
 };
 
-/// Squared distance to the nearest obstacle, margin included, by looking at all of them.
-std::int64_t brute_force(const FreeSpace& space, std::int32_t column, std::int32_t row) {
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (std::int32_t y = -1; y <= space.height(); ++y)
-    for (std::int32_t x = -1; x <= space.width(); ++x)
-      if (space[space.index(x, y)] & kObstacle)
-        least = std::min<std::int64_t>(least, (x - column) * (x - column) + (y - row) * (y - row));
-  return least;
+/// The nearest obstacle cell, margin included, by looking at all of them from west to east and each
+/// column from below.
+std::pair<std::int64_t, Outlines::Place> brute_force(const FreeSpace& space, std::int32_t column,
+                                                     std::int32_t row) {
+  std::pair<std::int64_t, Outlines::Place> nearest{std::numeric_limits<std::int64_t>::max(), {}};
+  for (std::int32_t x = -1; x <= space.width(); ++x) {
+    for (std::int32_t y = -1; y <= space.height(); ++y) {
+      const std::int64_t distance = (x - column) * (x - column) + (y - row) * (y - row);
+      if ((space[space.index(x, y)] & kObstacle) && distance < nearest.first)
+        nearest = {distance, {x, y}};
+    }
+  }
+  return nearest;
 }
 
 void expect_exact(const OccupancyGrid& grid) {
@@ -35,8 +40,12 @@ void expect_exact(const OccupancyGrid& grid) {
     for (std::int32_t column = 0; column < map.space.width(); ++column) {
       const CellIndex cell = map.space.index(column, row);
       if (map.space[cell] & kObstacle) continue;
-      ASSERT_EQ(squared_distance(map.edges, map.outlines, cell, map.edges[cell]),
-                brute_force(map.space, column, row))
+      const OutlineEdge edge = map.edges[cell];
+      const auto [distance, place] = brute_force(map.space, column, row);
+      ASSERT_EQ(squared_distance(map.edges, map.outlines, cell, edge), distance)
+          << "cell " << column << ", " << row;
+      const Outlines::Place seen = map.outlines.place[static_cast<std::size_t>(edge)];
+      ASSERT_EQ(std::pair(seen.column, seen.row), std::pair(place.column, place.row))
           << "cell " << column << ", " << row;
     }
   }
@@ -48,6 +57,17 @@ TEST(NearestOutline, IsExactOnRandomGrids) {
     expect_exact(random_grid(37, 29, 0.97, 1, seed));
     expect_exact(random_grid(41, 35, 0.6, 5, seed));
   }
+}
+
+TEST(NearestOutline, IsExactAcrossBandsOfRows) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    for (const std::int32_t height : {63, 64, 65, 129, 200}) {
+      expect_exact(random_grid(23, height, 0.99, 1, seed));
+      expect_exact(random_grid(29, height, 0.6, 7, seed));
+    }
+  }
+  expect_exact(random_grid(17, 197, 1.0, 1, 1));
+  expect_exact(random_grid(1, 197, 0.99, 1, 1));
 }
 
 TEST(NearestOutline, SeesTheEdgeOfTheMapAsAnObstacle) {
