@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "plugins/topology/extract_roads.hpp"
-#include "stope/error.hpp"
 #include "tests/plugins/topology/graph_checks.hpp"
 #include "tests/plugins/topology/test_grids.hpp"
 
@@ -13,33 +12,6 @@ ExtractionParams everything() {
   params.min_clearance = 0;
   params.min_obstacle_area = 0;
   return params;
-}
-
-std::string refusal(const OccupancyGrid& grid) {
-  std::string first, second;
-  try {
-    watershed_roads(grid, {});
-  } catch (const Error& error) {
-    first = error.what();
-  }
-  try {
-    voronoi_roads(grid, {}, {});
-  } catch (const Error& error) {
-    second = error.what();
-  }
-  EXPECT_EQ(first, second);
-  return first;
-}
-
-TEST(DegenerateGrids, AreRefusedWithASentence) {
-  EXPECT_NE(refusal(grid_of({"###", "###"})).find("no free cell"), std::string::npos);
-  EXPECT_NE(refusal(grid_of({"???", "###"})).find("unknown"), std::string::npos);
-  EXPECT_NE(refusal(OccupancyGrid{}).find("is empty"), std::string::npos);
-  OccupancyGrid grid = grid_of({"..", ".."});
-  grid.cells.pop_back();
-  EXPECT_NE(refusal(grid).find("holds 3"), std::string::npos);
-  for (const double resolution : {0.0, -1.0, std::nan(""), HUGE_VAL})
-    EXPECT_NE(refusal(grid_of({".."}, resolution)).find("resolution"), std::string::npos);
 }
 
 TEST(DegenerateGrids, OneFreeCellIsOnePlace) {
@@ -77,7 +49,9 @@ TEST(DegenerateGrids, ARingWithoutJunctionHasANode) {
     const double radius = std::hypot(x - 30, y - 30);
     return radius > 12 && radius < 20;
   });
-  for (const RoadGraph& roads : {watershed_roads(grid, {}), voronoi_roads(grid, {}, {})}) {
+  for (const RoadGraph& roads :
+       {watershed_roads(grid, {}), voronoi_roads(grid, {}, {}), skeleton_roads(grid, {}, {}, {}),
+        watershed_part_roads(grid, {}, {}, {})}) {
     ASSERT_EQ(roads.nodes.size(), 1U);
     ASSERT_EQ(roads.edges.size(), 1U);
     EXPECT_EQ(roads.edges[0].from, roads.edges[0].to);
