@@ -20,6 +20,8 @@ constexpr const char* kHeader =
     "<key id=\"min_clearance\" for=\"edge\" attr.name=\"min_clearance\" attr.type=\"double\"/>\n"
     "<key id=\"mean_clearance\" for=\"edge\" attr.name=\"mean_clearance\" attr.type=\"double\"/>\n"
     "<key id=\"width\" for=\"edge\" attr.name=\"width\" attr.type=\"double\"/>\n"
+    "<key id=\"grade\" for=\"edge\" attr.name=\"grade\" attr.type=\"double\"/>\n"
+    "<key id=\"curvature\" for=\"edge\" attr.name=\"curvature\" attr.type=\"double\"/>\n"
     "<key id=\"lane_width\" for=\"edge\" attr.name=\"lane_width\" attr.type=\"double\"/>\n"
     "<key id=\"speed_limit\" for=\"edge\" attr.name=\"speed_limit\" attr.type=\"double\"/>\n"
     "<key id=\"direction\" for=\"edge\" attr.name=\"direction\" attr.type=\"string\"/>\n"
@@ -28,7 +30,11 @@ constexpr const char* kHeader =
     "<graph id=\"roads\" edgedefault=\"undirected\">\n";
 
 /// XML Schema's lexical forms: GraphML numbers may be NaN.
-std::string number(double value) { return std::isnan(value) ? "NaN" : fmt::format("{}", value); }
+std::string number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "INF" : "-INF";
+  return fmt::format("{}", value);
+}
 
 template <class Value>
 std::string data(const char* key, const Value& value) {
@@ -72,6 +78,7 @@ class Graphml final : public Map<Artefact(RoadGraph)> {
           data("id", edge.id) + data("length", number(edge.length)) +
           data("min_clearance", number(edge.min_clearance)) +
           data("mean_clearance", number(edge.mean_clearance)) + data("width", number(edge.width)) +
+          data("grade", number(edge.grade)) + data("curvature", number(edge.curvature)) +
           data("lane_width", number(edge.lane_width)) +
           data("speed_limit", number(edge.speed_limit)) +
           data("direction", text_of(edge.direction)) + data("closed", edge.closed != 0);

@@ -4,6 +4,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -38,6 +39,9 @@ double number(const std::string& text) { return std::strtod(text.c_str(), nullpt
 TEST(Graphml, ReadsBackToTheLastBit) {
   RoadGraph graph = sample_roads();
   graph.nodes[1].x = 1.0 / 3;
+  graph.edges[0].grade = 0.125;
+  graph.edges[0].curvature = 1.0 / 7;
+  graph.edges[1].min_clearance = std::numeric_limits<double>::infinity();
   std::istringstream text(text_of(
       stope::testing::StageHarness(stope_stage_Graphml()).input("roads", graph).apply<Artefact>(),
       "graphml"));
@@ -64,6 +68,11 @@ TEST(Graphml, ReadsBackToTheLastBit) {
       expect_same(edge.length, number(data["length"]));
       expect_same(edge.speed_limit, number(data["speed_limit"]));
       expect_same(edge.lane_width, number(data["lane_width"]));
+      expect_same(edge.width, number(data["width"]));
+      expect_same(edge.grade, number(data["grade"]));
+      expect_same(edge.curvature, number(data["curvature"]));
+      expect_same(edge.min_clearance, number(data["min_clearance"]));
+      expect_same(edge.mean_clearance, number(data["mean_clearance"]));
       EXPECT_EQ(data["closed"], edge.closed != 0 ? "true" : "false");
       EXPECT_EQ(data["direction"], edge.direction == RoadDirection::kForward ? "forward" : "both");
       std::istringstream vertices(data["vertices"]);

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/plugins/export/export_samples.hpp"
+#include "tests/plugins/export/nav2_rules.hpp"
 #include "tests/plugins/stage_harness.hpp"
 
 extern "C" const stope::StageEntry* stope_stage_Nav2Route();
@@ -24,89 +24,114 @@ json route_of(RoadGraph graph, double tolerance = 0) {
                              "geojson"));
 }
 
-// nav2's loader fails on metadata that is neither number, text, truth nor a list or object of them.
-void expect_loadable(const json& metadata) {
-  for (const auto& [key, value] : metadata.items()) {
-    EXPECT_FALSE(value.is_null()) << key;
-    if (value.is_object()) expect_loadable(value);
-  }
+std::string error_of(const RoadGraph& graph) {
+  return stope::testing::error_of([&] { route_of(graph); });
 }
 
-TEST(Nav2Route, IdsAreUniqueOverNodesAndEdges) {
+std::size_t place_of_closed(const RoadGraph& graph) {
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    if (graph.edges[i].closed != 0) return i;
+  }
+  return graph.edges.size();
+}
+
+TEST(Nav2Route, Nav2LoadsTheOpenRoadsAndNothingElse) {
   const json route = route_of(sample_roads());
   EXPECT_EQ(route["type"], "FeatureCollection");
-  std::set<std::uint64_t> node_ids, edge_ids;
-  for (const json& feature : route["features"]) {
-    const json& properties = feature["properties"];
-    const bool node = feature["geometry"]["type"] == "Point";
-    EXPECT_TRUE((node ? node_ids : edge_ids).insert(properties["id"].get<std::uint64_t>()).second);
-    expect_loadable(properties["metadata"]);
-    if (node) {
-      EXPECT_EQ(properties["frame"], "map");
-    }
-  }
+  const Nav2Graph loaded = load_as_nav2(route);
+  EXPECT_EQ(loaded.complaints, std::vector<std::string>{});
   // 3 nodes and 2 in the curve; 2 edges of the straight road, 3 of the one-way curve.
-  EXPECT_EQ(node_ids, (std::set<std::uint64_t>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(edge_ids, (std::set<std::uint64_t>{5, 6, 7, 8, 9}));
-}
-
-TEST(Nav2Route, ChainsJoinAgainIntoTheRoadsTheyCameFrom) {
-  const RoadGraph graph = sample_roads();
-  const json route = route_of(graph);
-  std::map<std::uint64_t, Vector2> places;
-  std::map<std::uint64_t, std::map<std::uint64_t, Vector2>> curves;
-  for (const json& feature : route["features"]) {
-    const json& properties = feature["properties"];
-    if (feature["geometry"]["type"] == "Point") {
-      const auto& at = feature["geometry"]["coordinates"];
-      const Vector2 place(at[0].get<double>(), at[1].get<double>());
-      places[properties["id"].get<std::uint64_t>()] = place;
-      const json& stope = properties["metadata"]["stope"];
-      if (stope.contains("edge"))
-        curves[stope["edge"].get<std::uint64_t>()][stope["seq"].get<std::uint64_t>()] = place;
-    }
-  }
-  ASSERT_EQ(curves.size(), 1U);
-  for (const RoadEdge& edge : graph.edges) {
-    if (edge.direction != RoadDirection::kForward) continue;
-    const auto line = graph.polyline(edge);
-    ASSERT_EQ(curves[edge.id].size(), line.size() - 2);
-    for (std::size_t i = 1; i + 1 < line.size(); ++i)
-      EXPECT_EQ(curves[edge.id][i], Vector2(line[i].x, line[i].y));
-  }
-  std::multiset<std::pair<std::uint64_t, std::uint64_t>> joined;
+  EXPECT_EQ(loaded.nodes.size(), 5U);
+  EXPECT_EQ(loaded.edges.size(), 5U);
+  std::multiset<std::pair<std::uint32_t, std::uint32_t>> joined;
   double cost = 0;
-  for (const json& feature : route["features"]) {
-    if (feature["geometry"]["type"] != "LineString") continue;
-    const json& properties = feature["properties"];
-    const auto from = properties["startid"].get<std::uint64_t>();
-    const auto to = properties["endid"].get<std::uint64_t>();
-    joined.insert({from, to});
-    EXPECT_EQ(feature["geometry"]["coordinates"][0][0], places.at(from).x());
-    EXPECT_EQ(feature["geometry"]["coordinates"][1][1], places.at(to).y());
-    if (properties["metadata"].contains("abs_speed_limit")) {
-      EXPECT_EQ(properties["metadata"]["abs_speed_limit"], 8.25);
-      cost += properties["cost"].get<double>();
-    }
+  for (const auto& edge : loaded.edges) {
+    joined.insert({edge.start, edge.end});
+    if (edge.abs_speed_limit == 8.25) cost += edge.cost;
   }
-  EXPECT_EQ(joined.count({0, 1}), 1U);
-  EXPECT_EQ(joined.count({1, 0}), 1U);
-  EXPECT_EQ(joined.count({1, 2}) + joined.count({2, 1}), 0U);  // closed
-  EXPECT_EQ(joined.count({0, 3}) + joined.count({3, 4}) + joined.count({4, 2}), 3U);
-  EXPECT_EQ(joined.count({3, 0}), 0U);  // one-way
+  using Joined = std::multiset<std::pair<std::uint32_t, std::uint32_t>>;
+  EXPECT_EQ(joined, (Joined{{0, 1}, {1, 0}, {0, 3}, {3, 4}, {4, 2}}));  // 1-2 is closed
   EXPECT_NEAR(cost, std::hypot(10, 20) + std::hypot(10, 14) + std::hypot(10.25, 6), 1e-9);
 }
 
-TEST(Nav2Route, ToleranceShortensChains) {
-  EXPECT_EQ(route_of(sample_roads(), 100)["features"].size(), 3U + 2U + 1U);
+TEST(Nav2Route, ClosedRoadsAreInTheFileWhereNav2DoesNotLook) {
+  const RoadGraph graph = sample_roads();
+  const RoadEdge& closed = graph.edges.at(place_of_closed(graph));
+  int found = 0;
+  const json route = route_of(graph);
+  for (const json& feature : route["features"]) {
+    if (feature["geometry"]["type"] != "GeometryCollection") continue;
+    ++found;
+    EXPECT_EQ(feature["properties"]["stope"]["edge"], closed.id);
+    EXPECT_EQ(feature["properties"]["startid"], closed.from);
+    const json& line = feature["geometry"]["geometries"][0]["coordinates"];
+    ASSERT_EQ(line.size(), 2U);
+    EXPECT_EQ(line[1][1], 40.0);
+  }
+  EXPECT_EQ(found, 1);
+}
+
+TEST(Nav2Route, ANodeWithoutOpenRoadsIsNoGoalForNav2) {
+  RoadGraph graph = sample_roads();
+  graph.nodes.push_back({44, 100, 100, 7});
+  EXPECT_EQ(load_as_nav2(route_of(graph)).nodes.size(), 5U);
+  EXPECT_EQ(route_of(graph)["stope"]["nodes"], 4);
+}
+
+// nav2's scorers ask for a float, and its loader makes whole numbers integers.
+TEST(Nav2Route, AWholeSpeedLimitIsStillAFloat) {
+  RoadGraph graph = sample_roads();
+  for (RoadEdge& edge : graph.edges) edge.speed_limit = 8;
+  const Nav2Graph loaded = load_as_nav2(route_of(graph));
+  EXPECT_EQ(loaded.complaints, std::vector<std::string>{});
+  EXPECT_EQ(loaded.edges.at(0).abs_speed_limit, 8.0);
+}
+
+TEST(Nav2Route, ToleranceShortensNav2sChains) {
+  const Nav2Graph loaded = load_as_nav2(route_of(sample_roads(), 100));
+  EXPECT_EQ(loaded.nodes.size(), 3U);
+  EXPECT_EQ(loaded.edges.size(), 3U);
+  // The cost is the length of the road, not of the chord.
+  double longest = 0;
+  for (const auto& edge : loaded.edges) longest = std::max(longest, edge.cost);
+  EXPECT_NEAR(longest, std::hypot(10, 20) + std::hypot(10, 14) + std::hypot(10.25, 6), 1e-9);
 }
 
 TEST(Nav2Route, AGraphWithoutEdgesIsRefusedAsNav2RefusesIt) {
-  const auto sentence = stope::testing::error_of([] { route_of(RoadGraph{}); });
-  EXPECT_NE(sentence.find("no edges, and nav2 refuses"), std::string::npos);
+  EXPECT_NE(error_of(RoadGraph{}).find("no edges, and nav2 refuses"), std::string::npos);
   RoadGraph closed = sample_roads();
   for (RoadEdge& edge : closed.edges) edge.closed = 1;
-  EXPECT_NE(stope::testing::error_of([&] { route_of(closed); }).find("closed"), std::string::npos);
+  EXPECT_NE(error_of(closed).find("closed"), std::string::npos);
+}
+
+TEST(Nav2Route, RefusesWhatCouldNotBeReadBack) {
+  RoadGraph graph = sample_roads();
+  graph.nodes[1].id = graph.nodes[0].id;
+  EXPECT_NE(error_of(graph).find("two nodes of the road graph have the id"), std::string::npos);
+  graph = sample_roads();
+  graph.edges[1].id = graph.edges[0].id;
+  EXPECT_NE(error_of(graph).find("two roads of the road graph have the id"), std::string::npos);
+  graph = sample_roads();
+  graph.nodes[2].x = std::nan("");
+  EXPECT_NE(error_of(graph).find("which is no place"), std::string::npos);
+  graph = sample_roads();
+  graph.edges[0].to = 77;
+  EXPECT_NE(error_of(graph).find("joins nodes"), std::string::npos);
+  graph = sample_roads();
+  graph.edges[0].vertex_count = 1000;
+  EXPECT_NE(error_of(graph).find("no line"), std::string::npos);
+}
+
+TEST(Nav2Route, WarnsWhereNav2sFloatsAreTooCoarse) {
+  RoadGraph graph = sample_roads();
+  for (RoadNode& node : graph.nodes) node.x += 500000, node.y += 4e6;
+  for (RoadVertex& vertex : graph.vertices) vertex.x += 500000, vertex.y += 4e6;
+  StageHarness stage(stope_stage_Nav2Route());
+  stage.input("roads", graph).apply<Artefact>();
+  bool warned = false;
+  for (const std::string& sentence : stage.context().sentences)
+    warned |= sentence.find("32-bit floats") != std::string::npos;
+  EXPECT_TRUE(warned);
 }
 
 }  // namespace
