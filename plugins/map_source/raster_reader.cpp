@@ -26,9 +26,11 @@ std::unique_ptr<RasterReader> open_raster(const std::filesystem::path& file) {
   }
   const std::string_view magic(start.data(), static_cast<std::size_t>(stream.gcount()));
   if (magic.starts_with("\x89PNG")) return open_png(file);
-  if (magic.starts_with("P5") || magic.starts_with("P2")) return open_pgm(file);
+  for (const char* pnm : {"P2", "P3", "P5", "P6"}) {
+    if (magic.starts_with(pnm)) return open_pnm(file);
+  }
   throw Error(fmt::format(
-      "the map's picture {} is neither PNG nor PGM (P2 or P5): convert it to one of them",
+      "the map's picture {} is neither PNG nor PGM nor PPM (P2, P3, P5 or P6): convert it to one of them",
       file.string()));
 }
 

@@ -14,14 +14,15 @@
 namespace stope::map_source {
 namespace {
 
-class PgmReader final : public RasterReader {
+class PnmReader final : public RasterReader {
  public:
-  explicit PgmReader(const std::filesystem::path& file)
+  explicit PnmReader(const std::filesystem::path& file)
       : name_(file.string()), stream_(file, std::ios::binary) {
     if (!stream_) throw Error(fmt::format("the map's picture {} cannot be opened", name_));
     std::string magic(2, ' ');
     stream_.read(magic.data(), 2);
-    binary_ = magic == "P5";
+    binary_ = magic == "P5" || magic == "P6";
+    if (magic == "P3" || magic == "P6") layout_.channels = 3;
     layout_.width = header_number("width", std::numeric_limits<std::int32_t>::max());
     layout_.height = header_number("height", std::numeric_limits<std::int32_t>::max());
     layout_.max_value = static_cast<unsigned>(header_number("greatest value", 65535));
@@ -38,7 +39,8 @@ class PgmReader final : public RasterReader {
       if (!stream_) throw_cut_off();
       if (layout_.sample_bytes == 2) from_big_endian(row);
     } else {
-      for (std::int32_t i = 0; i < layout_.width; ++i) put(row, i, plain_sample());
+      const std::int64_t samples = std::int64_t{layout_.width} * layout_.channels;
+      for (std::int64_t i = 0; i < samples; ++i) put(row, i, plain_sample());
     }
     ++next_;
   }
@@ -67,7 +69,7 @@ class PgmReader final : public RasterReader {
     }
     if (digits == 0 || number < 1 || number > most) {
       throw Error(fmt::format(
-          "the map's picture {} is not a sound PGM: its header gives no {} between 1 and {}", name_,
+          "the map's picture {} is not a sound PNM picture: its header gives no {} between 1 and {}", name_,
           what, most));
     }
     return static_cast<std::int32_t>(number);
@@ -82,18 +84,18 @@ class PgmReader final : public RasterReader {
     if (digits == 0) {
       if (stream_.peek() == std::char_traits<char>::eof()) throw_cut_off();
       throw Error(fmt::format(
-          "the map's picture {} is not a sound PGM: row {} holds something that is not a number",
+          "the map's picture {} is not a sound PNM picture: row {} holds something that is not a number",
           name_, next_ + 1));
     }
     return std::min(number, layout_.max_value);
   }
 
-  void put(std::uint8_t* row, std::int32_t column, unsigned sample) const {
+  void put(std::uint8_t* row, std::int64_t column, unsigned sample) const {
     if (layout_.sample_bytes == 1) {
       row[column] = static_cast<std::uint8_t>(sample);
     } else {
       const auto wide = static_cast<std::uint16_t>(sample);
-      std::memcpy(row + 2 * static_cast<std::ptrdiff_t>(column), &wide, 2);
+      std::memcpy(row + 2 * column, &wide, 2);
     }
   }
 
@@ -108,7 +110,8 @@ class PgmReader final : public RasterReader {
     std::error_code problem;
     const auto bytes = static_cast<double>(std::filesystem::file_size(file, problem));
     const double per_sample = binary_ ? layout_.sample_bytes : 2.0;
-    const double needed = per_sample * layout_.width * layout_.height - (binary_ ? 0 : 1);
+    const double needed =
+        per_sample * layout_.channels * layout_.width * layout_.height - (binary_ ? 0 : 1);
     if (bytes < needed) {
       throw Error(
           fmt::format("the map's picture {} is cut off: its header says {} x {} pixels, which need "
@@ -131,8 +134,8 @@ class PgmReader final : public RasterReader {
 
 }  // namespace
 
-std::unique_ptr<RasterReader> open_pgm(const std::filesystem::path& file) {
-  return std::make_unique<PgmReader>(file);
+std::unique_ptr<RasterReader> open_pnm(const std::filesystem::path& file) {
+  return std::make_unique<PnmReader>(file);
 }
 
 }  // namespace stope::map_source
