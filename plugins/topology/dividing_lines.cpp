@@ -15,6 +15,8 @@
 #include <queue>
 #include <tuple>
 
+#include "plugins/topology/find_divides.hpp"
+
 namespace stope::topology {
 namespace {
 
@@ -32,8 +34,8 @@ class Divider {
         step_{1, stride_, -1, -stride_} {}
 
   std::vector<CellIndex> run() {
-    std::vector<Divide> divides;
-    find_between_free_cells(divides);
+    std::vector<Divide> divides =
+        find_divides_between_free_cells(space_, outlines_, rule_, edges_, checkpoint_);
     checkpoint_();
     find_along_outlines(divides);
     checkpoint_();
@@ -61,37 +63,6 @@ class Divider {
     const OutlineEdge first = a_free ? edges_[a] : edge_facing(a, direction);
     const OutlineEdge second = b_free ? edges_[b] : edge_facing(b, (direction + 2) % 4);
     return rule_.divided(first, second);
-  }
-
-  void find_between_free_cells(std::vector<Divide>& divides) {
-    constexpr CellIndex kBlock = 32;
-    const auto gap = static_cast<std::uint32_t>(outlines_.gap);
-    for (std::int32_t row = 0; row < space_.height(); ++row) {
-      if (row % kRowsBetweenCheckpoints == 0) checkpoint_();
-      const CellIndex begin = space_.index(0, row), end = begin + space_.width();
-      for (CellIndex cell = begin; cell < end; cell += kBlock) {
-        const CellIndex stop = std::min(cell + kBlock, end);
-        const std::int32_t* here = edges_.data() + cell;
-        const std::int32_t* above = here + stride_;
-        const std::uint8_t* bits = space_.data() + cell;
-        std::uint32_t far = 0;
-        for (CellIndex i = 0; i < stop - cell; ++i) {
-          const std::uint32_t own = static_cast<std::uint32_t>(here[i]) + gap;
-          const std::uint32_t east = own - static_cast<std::uint32_t>(here[i + 1]);
-          const std::uint32_t north = own - static_cast<std::uint32_t>(above[i]);
-          const auto outside = static_cast<std::uint32_t>(east > 2 * gap) |
-                               static_cast<std::uint32_t>(north > 2 * gap);
-          far |= outside & ~static_cast<std::uint32_t>(bits[i]);
-        }
-        if (!far) continue;
-        for (CellIndex i = cell; i < stop; ++i) {
-          if (!free(i)) continue;
-          if (free(i + 1) && rule_.divided(edges_[i], edges_[i + 1])) divides.push_back({i, false});
-          if (free(i + stride_) && rule_.divided(edges_[i], edges_[i + stride_]))
-            divides.push_back({i, true});
-        }
-      }
-    }
   }
 
   /// Where a road is a cell wide, its line runs between the free cell and one of the obstacles.
@@ -134,6 +105,21 @@ class Divider {
     return true;
   }
 
+  /// Whether a front that carries the cell's own edge reaches it from a neighbour in the direction
+  /// of what it sees: such a neighbour is nearer to that. While no cell has been changed this
+  /// answers most questions without asking for distances.
+  bool reached_straight(CellIndex cell) const {
+    const OutlineEdge edge = edges_[cell];
+    const Outlines::Place seen = outlines_.place[static_cast<std::size_t>(edge)];
+    const std::int32_t row = space_.row(cell);
+    const std::int32_t column = cell - space_.index(0, row);
+    const auto open = [&](int side) {
+      return !divided(cell, cell + step_[static_cast<std::size_t>(side)], side);
+    };
+    return (seen.row != row && open(seen.row > row ? kNorth : kSouth)) ||
+           (seen.column != column && open(seen.column > column ? kEast : kWest));
+  }
+
   void take_nearest_front(CellIndex cell) {
     const std::int64_t own = distance(cell);
     std::int64_t least = own;
@@ -157,10 +143,9 @@ class Divider {
     const auto consider = [&](CellIndex cell) {
       if (free(cell) && cut_off(cell)) open.emplace(distance(cell), cell);
     };
-    for (const Divide divide : divides) {
-      consider(divide.cell);
-      consider(divide.cell + (divide.north ? stride_ : 1));
-    }
+    for (const Divide divide : divides)
+      for (const CellIndex cell : {divide.cell, divide.cell + (divide.north ? stride_ : 1)})
+        if (free(cell) && !reached_straight(cell)) consider(cell);
     std::vector<CellIndex> changed;
     while (!open.empty()) {
       const auto [own, cell] = open.top();

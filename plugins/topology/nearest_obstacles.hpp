@@ -13,12 +13,11 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
-#include "plugins/topology/free_space.hpp"
+#include "plugins/topology/checkpoint.hpp"
+#include "plugins/topology/free_runs.hpp"
 #include "plugins/topology/row_envelope.hpp"
 
 namespace stope::topology {
@@ -28,7 +27,7 @@ class BandBorders {
  public:
   static constexpr std::int32_t kRows = 64;  ///< of a band
 
-  explicit BandBorders(const FreeSpace& space);
+  explicit BandBorders(const FreeSpace& space, const Checkpoint& checkpoint = never_stop);
   std::int32_t bands() const { return bands_; }
   /// By column, from -1 on: the highest row below the band, or the lowest above, with an obstacle.
   const std::int32_t* below(std::int32_t band) const { return at(below_, band); }
@@ -71,31 +70,6 @@ class BandSweep {
   };
   static constexpr Site kNoSite{INT32_MAX, 0};
 
-  /// The first column from `i` on that is (kObstacle) or is not (0) an obstacle, or `end`.
-  static std::int32_t next(const std::uint8_t* bits, std::int32_t i, std::int32_t end,
-                           std::uint8_t wanted) {
-    constexpr std::uint64_t kEight = 0x0101010101010101ULL * kObstacle;
-    for (; i + 8 <= end; i += 8) {
-      std::uint64_t cells = 0;
-      std::memcpy(&cells, bits + i, 8);
-      const std::uint64_t hits = (wanted ? cells : ~cells) & kEight;
-      if (hits) return i + std::countr_zero(hits) / 8;
-    }
-    while (i < end && (bits[i] & kObstacle) != wanted) ++i;
-    return std::min(i, end);
-  }
-
-  /// Calls visit(before, after) with the obstacles at both ends of each run of free cells.
-  template <class Visit>
-  void for_each_run(const std::uint8_t* bits, Visit visit) const {
-    const std::int32_t width = space_.width();
-    for (std::int32_t begin = next(bits, 0, width, 0); begin < width;) {
-      const std::int32_t end = next(bits, begin + 1, width + 1, kObstacle);
-      visit(begin - 1, end);
-      begin = next(bits, end + 1, width, 0);
-    }
-  }
-
   const std::uint8_t* bits(std::int32_t row) const { return space_.padded_row(row) + 1; }
 
   /// All columns that are free beside the band, as sites.
@@ -113,7 +87,7 @@ class BandSweep {
                             const std::uint8_t* old_bits, std::int32_t old_row, Add add) const {
     while (site->column <= before) ++site;
     for (std::int32_t column = before + 1; column < after;) {
-      column = next(old_bits, column, after, kObstacle);
+      column = find_column(old_bits, column, after, kObstacle);
       for (; site->column < column; ++site) add(*site);
       for (; column < after && (old_bits[column] & kObstacle); ++column) add({column, old_row});
     }
@@ -130,7 +104,8 @@ class BandSweep {
       if (above_.size() < used + most) above_.resize(2 * (used + most));
       const Site* site = above_.data() + old;
       Site* left = above_.data() + used;
-      for_each_run(bits(row), [&](std::int32_t before, std::int32_t after) {
+      for_each_free_run(space_, row, [&](std::int32_t begin, std::int32_t after) {
+        const std::int32_t before = begin - 1;
         envelope_.start(row, before, row);
         site = visit_between(before, after, site, bits(row + 1), row + 1,
                              [&](Site next) { envelope_.add(next.column, next.row); });
@@ -151,7 +126,8 @@ class BandSweep {
       const Site* site = below_.data();
       const Site* above = above_.data() + above_begin_[static_cast<std::size_t>(row - bottom)];
       Site* left = left_.data();
-      for_each_run(bits(row), [&](std::int32_t before, std::int32_t after) {
+      for_each_free_run(space_, row, [&](std::int32_t begin, std::int32_t after) {
+        const std::int32_t before = begin - 1;
         envelope_.start(row, before, row);
         site = visit_between(before, after, site, bits(row - 1), row - 1, [&](Site next) {
           for (; above->column < next.column; ++above) envelope_.add(above->column, above->row);
@@ -163,10 +139,9 @@ class BandSweep {
         });
         for (; above->column < after; ++above) envelope_.add(above->column, above->row);
         envelope_.add(after, row);
-        envelope_.for_each_piece(before + 1, after,
-                                 [&](auto begin, auto end, auto column, auto site_row) {
-                                   write(row, before + 1, begin, end, column, site_row);
-                                 });
+        envelope_.for_each_piece(begin, after, [&](auto from, auto to, auto column, auto site_row) {
+          write(row, begin, from, to, column, site_row);
+        });
         for (const auto* piece = envelope_.begin() + 1; piece + 1 < envelope_.end(); ++piece) {
           *left = {piece->column, piece->site_row};
           left += piece->site_row < row;

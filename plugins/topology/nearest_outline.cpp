@@ -1,5 +1,8 @@
 #include "plugins/topology/nearest_outline.hpp"
 
+#include <memory>
+
+#include "plugins/topology/for_each_band.hpp"
 #include "plugins/topology/nearest_obstacles.hpp"
 #include "plugins/topology/write_edges.hpp"
 
@@ -7,16 +10,16 @@ namespace stope::topology {
 
 void find_nearest_outline(const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges,
                           const Checkpoint& checkpoint) {
-  checkpoint();
-  const BandBorders borders(space);
-  BandSweep sweep(space);
-  for (std::int32_t band = 0; band < borders.bands(); ++band) {
-    checkpoint();
-    sweep.run(borders, band,
-              [&](auto row, auto first, auto begin, auto end, auto column, auto site_row) {
-                write_edges(outlines, edges, row, first, begin, end, column, site_row);
-              });
-  }
+  const BandBorders borders(space, checkpoint);
+  // Free cells are written, obstacle cells read: bands do not disturb each other.
+  for_each_band(borders.bands(), checkpoint, [&] {
+    return [&, sweep = std::make_shared<BandSweep>(space)](std::int32_t band) {
+      sweep->run(borders, band,
+                 [&](auto row, auto first, auto begin, auto end, auto column, auto site_row) {
+                   write_edges(outlines, edges, row, first, begin, end, column, site_row);
+                 });
+    };
+  });
 }
 
 }  // namespace stope::topology
