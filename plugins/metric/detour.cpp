@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "plugins/metric/check_graph.hpp"
+#include "plugins/metric/geodesics.hpp"
+#include "plugins/metric/measure_list.hpp"
+#include "plugins/metric/path_similarity.hpp"
+#include "plugins/metric/percentile.hpp"
+#include "stope/stope.hpp"
+
+namespace stope::metric {
+namespace {
+
+// Draws places on the roads, each metre as likely as any other.
+class PlacesOnRoads {
+ public:
+  explicit PlacesOnRoads(const GraphLines& lines) : lines_(lines) {
+    for (std::uint32_t e = 0; e < lines.edge_count(); ++e)
+      ends_.push_back((ends_.empty() ? 0 : ends_.back()) + lines.length(e));
+  }
+  RoadPlace draw(Random& random) const {
+    const double along = random.uniform(0, ends_.back());
+    const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, along);
+    const auto edge = static_cast<std::uint32_t>(end - ends_.begin());
+    return {edge, along - (*end - lines_.length(edge))};
+  }
+
+ private:
+  const GraphLines& lines_;
+  std::vector<double> ends_;
+};
+
+}  // namespace
+
+class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
+ public:
+  struct Params : FreeRule {
+    std::int64_t pairs = 200;
+    double min_distance = 20;
+    std::string between = "roads";
+  } params;
+
+  static void describe(About<Detour>& about) {
+    about.summary("How much longer routes on the graph are than shortest ways through free space.")
+        .from("Lozano-Perez and Wesley 1979, An Algorithm for Planning Collision-Free Paths")
+        .notes(
+            "Length of the route on the graph / exact any-angle geodesic, for random pairs drawn "
+            "from the run's seed. Between roads: both places lie on the graph, each metre as "
+            "likely. Between free: both are centres of free cells, joined by a geodesic to the "
+            "nearest place of the graph, which counts. Pairs that the graph does not join are a "
+            "share of their own, not in the percentiles; without any they are infinite. Roads are "
+            "driven both ways.")
+        .ports("roads", "grid", "measures")
+        .param("pairs", &Params::pairs, between_pairs(), "How many pairs are measured.")
+        .param("min_distance", &Params::min_distance, "m", more_than(0.0),
+               "Pairs whose geodesic is shorter are drawn again.")
+        .param("between", &Params::between, one_of({"roads", "free"}),
+               "Where the places lie: on the graph, or anywhere in free space.");
+    describe_free_rule(about);
+  }
+
+  Measures apply(const RoadGraph& roads, const OccupancyGrid& grid, Context& context) const {
+    check_graph(roads, "roads");
+    const FreeCells cells = free_cells(grid, params);
+    MeasuredGraph graph(roads);
+    Result result;
+    if (graph.lines.total_length() > 0) {
+      result = measure(graph, cells, context);
+    } else {
+      context.warn("the graph has no roads, so there are no routes: detours are infinite");
+    }
+    const double tried = static_cast<double>(result.detours.size() + result.apart);
+    const double apart = tried > 0 ? static_cast<double>(result.apart) / tried : 1;
+    const double worst = percentile(result.detours, 1);
+    if (!result.detours.empty())
+      context.info(
+          fmt::format("the longest detour, {:.3f}, is from ({:.1f}, {:.1f}) to ({:.1f}, "
+                      "{:.1f})",
+                      worst, result.from.x(), result.from.y(), result.to.x(), result.to.y()));
+    return MeasureList(
+               fmt::format("{} random pairs between {}, geodesics of at least {} m, any angle; {} "
+                           "measured, {} not joined by the graph, {} places off free space",
+                           params.pairs, params.between, params.min_distance, result.detours.size(),
+                           result.apart, result.off_free))
+        .add("detour_p50", percentile(result.detours, 0.5))
+        .add("detour_p95", percentile(result.detours, 0.95))
+        .add("detour_max", worst)
+        .add("detour_unreachable", apart)
+        .take();
+  }
+
+ private:
+  static Limits between_pairs() { return stope::between(1, 100000); }
+
+  struct Result {
+    std::vector<double> detours;
+    std::size_t apart = 0, off_free = 0;
+    Vector2 from = Vector2::Zero(), to = Vector2::Zero();  // of the longest detour
+  };
+  // A place to drive from or to, and the way between it and its road.
+  struct End {
+    Vector2 position;
+    RoadPlace road;
+    double link = 0;
+  };
+
+  Result measure(MeasuredGraph& graph, const FreeCells& cells, Context& context) const {
+    Geodesics geodesics(cells);
+    const PlacesOnRoads places(graph.lines);
+    Random random = context.random();
+    const auto draw = [&]() -> std::optional<End> {
+      if (params.between == "free") return draw_free(graph, cells, geodesics, random);
+      const RoadPlace road = places.draw(random);
+      return End{graph.lines.position(road), road, 0};
+    };
+    Result result;
+    double longest = 0;
+    const std::int64_t most_draws = 20 * params.pairs;
+    std::int64_t left = params.pairs;
+    for (std::int64_t k = 0; k < most_draws && left > 0; ++k) {
+      context.stop_if_cancelled();
+      const auto from = draw(), to = draw();
+      if (!from || !to) continue;
+      const auto geodesic = geodesics.between(from->position, to->position);
+      if (!geodesic) ++result.off_free;
+      if (!geodesic || *geodesic == Geodesics::kUnreachable || *geodesic < params.min_distance)
+        continue;
+      --left;
+      const double route = from->link + graph.distances.between(from->road, to->road) + to->link;
+      if (route == RoadDistances::kUnreachable) {
+        ++result.apart;
+        continue;
+      }
+      result.detours.push_back(route / *geodesic);
+      if (result.detours.back() <= longest) continue;
+      longest = result.detours.back();
+      result.from = from->position;
+      result.to = to->position;
+    }
+    return result;
+  }
+
+  static std::optional<End> draw_free(const MeasuredGraph& graph, const FreeCells& cells,
+                                      Geodesics& geodesics, Random& random) {
+    const auto place = static_cast<std::size_t>(random.below(cells.free.size()));
+    if (!cells.free[place]) return std::nullopt;
+    const auto width = static_cast<std::size_t>(cells.frame.width);
+    const Vector2 position = cells.frame.centre(
+        {static_cast<std::int32_t>(place % width), static_cast<std::int32_t>(place / width)});
+    const auto near = graph.lines.nearest(position);
+    const auto link = geodesics.between(position, near->position);
+    return End{position, near->place, link.value_or(RoadDistances::kUnreachable)};
+  }
+};
+
+STOPE_STAGE(Detour, "metric/detour")
+
+}  // namespace stope::metric
