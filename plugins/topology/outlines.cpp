@@ -53,6 +53,7 @@ class Tracer {
   bool walk(const CellIndex first) {
     Outline outline;
     outline.first = static_cast<OutlineEdge>(outlines_.place.size());
+    first_cell_ = outlines_.sides.size();
     column_ = outline.left = outline.right = space_.column(first);
     row_ = outline.bottom = outline.top = space_.row(first);
     area_ = 0;
@@ -104,6 +105,8 @@ class Tracer {
     const auto kept = static_cast<std::size_t>(outlines_.list.back().first);
     outlines_.place.resize(kept);
     outlines_.of_edge.resize(kept);
+    // An obstacle's outer outline is walked first, so that all its cells were new.
+    outlines_.sides.resize(first_cell_);
     outlines_.list.pop_back();
     std::vector<CellIndex> open{first};
     space_[first] = 0;
@@ -126,6 +129,7 @@ class Tracer {
   std::array<CellIndex, 4> step_;
   std::int32_t column_ = 0, row_ = 0;
   std::int64_t area_ = 0;
+  std::size_t first_cell_ = 0;  ///< of the outline walked last, in Outlines::sides
 };
 
 }  // namespace
