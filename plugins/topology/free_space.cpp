@@ -26,11 +26,14 @@ void check(const OccupancyGrid& grid) {
                     frame.width, frame.height));
 }
 
-/// The least cell value that is an obstacle; 255 if none is.
+}  // namespace
+
 std::uint8_t least_occupied(const OccupancyRule& rule) {
   return static_cast<std::uint8_t>(
       std::clamp(std::ceil(rule.occupied_threshold * OccupancyGrid::kOccupied - 1e-9), 0.0, 255.0));
 }
+
+namespace {
 
 /// The values that are obstacles.
 struct Obstacles {

@@ -26,6 +26,9 @@ struct OccupancyRule {
   bool unknown_is_obstacle = true;
 };
 
+/// The least cell value that is an obstacle; 255 if none is.
+std::uint8_t least_occupied(const OccupancyRule& rule);
+
 /// CellBits of every cell. The margin is an obstacle: nobody knows what lies beyond the map.
 using FreeSpace = PaddedGrid<std::uint8_t>;
 

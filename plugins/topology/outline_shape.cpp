@@ -78,10 +78,10 @@ void mark_turns(const std::vector<std::int64_t>& heading, std::int64_t all_round
 
 }  // namespace
 
-OutlineWays measure_ways(const Outlines& outlines) {
+OutlineWays measure_ways(const Outlines& outlines, const std::vector<std::uint8_t>* known_sides) {
   constexpr std::int64_t kReach = 4;
   constexpr std::array<int, 4> kEastward{0, -1, 0, 1}, kNorthward{1, 0, -1, 0};  // by Side
-  const std::vector<std::uint8_t> sides = sides_of_edges(outlines);
+  const std::vector<std::uint8_t> sides = known_sides ? *known_sides : sides_of_edges(outlines);
   OutlineWays ways;
   ways.way.resize(outlines.place.size(), 0);
   for (const Outline& outline : outlines.list) {
@@ -104,8 +104,9 @@ OutlineWays measure_ways(const Outlines& outlines) {
   return ways;
 }
 
-OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule) {
-  const std::vector<std::uint8_t> sides = sides_of_edges(outlines);
+OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule,
+                        const std::vector<std::uint8_t>* known_sides) {
+  const std::vector<std::uint8_t> sides = known_sides ? *known_sides : sides_of_edges(outlines);
   const double least = rule.angle / (std::numbers::pi / 2) - 1e-9;
   OutlineTurns turns;
   turns.before.resize(outlines.place.size(), 0);

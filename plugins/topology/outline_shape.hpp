@@ -26,7 +26,9 @@ struct OutlineWays {
 /// Measures outlines: the way past an edge is the length of the chord of nine edges around it,
 /// divided by nine. Straight walls of any direction come out within 2 %; each edge's share depends
 /// on its neighbourhood alone. Cost: linear in the outlines' length.
-OutlineWays measure_ways(const Outlines& outlines);
+/// `sides` of the edges, if they are not taken from the outlines.
+OutlineWays measure_ways(const Outlines& outlines,
+                         const std::vector<std::uint8_t>* sides = nullptr);
 
 /// Where outlines turn towards their free side, as at the corners of a face.
 struct OutlineTurns {
@@ -52,6 +54,8 @@ struct TurnRule {
 /// An edge turns if the outline's heading, averaged over a quarter of the length, turns by the
 /// angle from half the length before it to half the length behind it. Headings of a raster's
 /// outline are right angles, whose sum is exact. Cost: linear in the outlines' length.
-OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule);
+/// `sides` as above.
+OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule,
+                        const std::vector<std::uint8_t>* sides = nullptr);
 
 }  // namespace stope::topology

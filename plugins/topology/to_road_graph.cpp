@@ -74,25 +74,33 @@ RoadVertex to_vertex(const LinePoint& point, const GridFrame& frame) {
 
 RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
                         const FreeSpace& space, const GridFrame& frame, double tolerance,
-                        const Checkpoint& checkpoint) {
+                        const Checkpoint& checkpoint, RoadMemo* memo) {
   const DistanceField field(outlines, edges, space);
   RoadGraph graph;
   for (const auto& node : network.nodes) {
     const RoadVertex vertex = to_vertex(node.point, frame);
     graph.nodes.push_back({0, vertex.x, vertex.y, vertex.z});
   }
+  const auto finish = [&](const std::vector<LinePoint>& points) {
+    std::vector<LinePoint> smooth = smooth_line(points, kSmoothingReach, kSmoothingShare);
+    for (LinePoint& point : smooth) point.distance = field.at(point);
+    FinishedRoad road;
+    for (const LinePoint& point : simplify_line(smooth, tolerance / frame.resolution))
+      road.vertices.push_back(to_vertex(point, frame));
+    road.width = 2 * median_clearance(smooth) * frame.resolution;
+    return memo ? memo->add(points, std::move(road), smooth) : road;
+  };
   for (const Line& line : network.lines) {
     checkpoint();
-    std::vector<LinePoint> smooth = smooth_line(line.points, kSmoothingReach, kSmoothingShare);
-    for (LinePoint& point : smooth) point.distance = field.at(point);
-    const auto points = simplify_line(smooth, tolerance / frame.resolution);
+    const FinishedRoad* known = memo ? memo->find(line.points) : nullptr;
+    const FinishedRoad road = known ? *known : finish(line.points);
     RoadEdge edge;
     edge.from = static_cast<std::uint32_t>(line.from);
     edge.to = static_cast<std::uint32_t>(line.to);
     edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
-    edge.vertex_count = static_cast<std::uint32_t>(points.size());
-    for (const LinePoint& point : points) graph.vertices.push_back(to_vertex(point, frame));
-    edge.width = 2 * median_clearance(smooth) * frame.resolution;
+    edge.vertex_count = static_cast<std::uint32_t>(road.vertices.size());
+    graph.vertices.insert(graph.vertices.end(), road.vertices.begin(), road.vertices.end());
+    edge.width = road.width;
     graph.edges.push_back(edge);
   }
   canonicalize(graph);

@@ -2,6 +2,7 @@
 
 #include "plugins/topology/line_network.hpp"
 #include "plugins/topology/outlines.hpp"
+#include "plugins/topology/road_memo.hpp"
 #include "stope/payloads/grid_frame.hpp"
 #include "stope/payloads/road_graph.hpp"
 
@@ -9,9 +10,10 @@ namespace stope::topology {
 
 /// Brings centre lines into the map frame, smoothed and simplified with a tolerance in metres, as a
 /// canonical road graph. Clearance is measured to the obstacle's edge, taken half a cell before its
-/// centre; an edge's width is twice the median clearance along it.
+/// centre; an edge's width is twice the median clearance along it. `memo`, if given, knows roads
+/// that are finished already.
 RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
                         const FreeSpace& space, const GridFrame& frame, double tolerance,
-                        const Checkpoint& checkpoint = never_stop);
+                        const Checkpoint& checkpoint = never_stop, RoadMemo* memo = nullptr);
 
 }  // namespace stope::topology

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "plugins/topology/extraction_method.hpp"
+#include "plugins/topology/road_memo.hpp"
+#include "plugins/topology/trace_lines.hpp"
+
+namespace stope::topology {
+
+/// From dividing lines, given in order, to the graph. `memo`, if given, knows finished roads.
+RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
+                       const std::vector<const TracedLine*>& lines, const ExtractionMethod& method,
+                       const GridFrame& frame, RoadMemo* memo, const Checkpoint& checkpoint);
+
+}  // namespace stope::topology

@@ -1,0 +1,104 @@
+#include "plugins/topology/road_updater.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "stope/digest.hpp"
+#include "stope/error.hpp"
+#include "tests/plugins/topology/random_changes.hpp"
+#include "tests/plugins/topology/test_grids.hpp"
+
+namespace stope::topology {
+namespace {
+
+using Kind = ExtractionMethod::Kind;
+
+struct Case {
+  const char* name;
+  ExtractionMethod method;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  const auto add = [&](const char* name, Kind kind, double clearance, double area) -> Case& {
+    ExtractionMethod method;
+    method.kind = kind;
+    method.params.min_clearance = clearance;
+    method.params.min_obstacle_area = area;
+    method.branches.min_branch = 8;
+    all.push_back({name, method});
+    return all.back();
+  };
+  add("watershed", Kind::kWatershed, 0, 0);
+  add("watershed_of_large_obstacles", Kind::kWatershed, 2, 30);
+  add("watershed_of_parts", Kind::kWatershedParts, 1, 10);
+  add("voronoi", Kind::kVoronoi, 0, 0);
+  add("voronoi_of_large_obstacles", Kind::kVoronoi, 2, 30);
+  add("voronoi_of_huge_obstacles", Kind::kVoronoi, 1, 400);
+  add("skeleton_by_residual", Kind::kSkeleton, 1, 10);
+  add("skeleton_by_lambda", Kind::kSkeleton, 1, 10).method.skeleton = {
+      SkeletonParams::Pruning::kLambda, 1.0, 6.0};
+  return all;
+}
+
+OccupancyGrid noise_grid(std::int32_t side, double limit, std::uint64_t seed) {
+  return grid_where(side, side, 1.0, [&](double x, double y) {
+    return roughness(x, y, 1.0 / 24, seed) + 0.5 * roughness(x, y, 1.0 / 7, seed + 1) > limit;
+  });
+}
+
+std::string text_of(const RoadGraph& roads) {
+  std::ostringstream text;
+  for (const RoadEdge& edge : roads.edges) {
+    const auto line = roads.polyline(edge);
+    text << '\n' << edge.from << " to " << edge.to << ':';
+    for (const RoadVertex& v : {line.front(), line[line.size() / 2], line.back()})
+      text << " (" << v.x << ' ' << v.y << ' ' << v.clearance << ')';
+  }
+  return text.str();
+}
+
+class RoadUpdates : public ::testing::TestWithParam<std::size_t> {};
+
+INSTANTIATE_TEST_SUITE_P(AllMethods, RoadUpdates, ::testing::Range<std::size_t>(0, 8),
+                         [](const auto& info) { return cases()[info.param].name; });
+
+void expect_equal_after_changes(const ExtractionMethod& method, OccupancyGrid grid, int changes,
+                                std::int32_t largest, std::uint64_t seed) {
+  Random random(seed);
+  RoadUpdater updater(method);
+  ASSERT_EQ(digest_of(updater.full(grid)), digest_of(extract_roads(grid, method)));
+  for (int i = 0; i < changes; ++i) {
+    const auto side = static_cast<std::int32_t>(random.uniform(2.0, largest));
+    const auto kind = static_cast<ChangeKind>(random.uniform(0.0, kChangeKinds - 1e-9));
+    const CellWindow window = change_at_random(grid, side, kind, random);
+    const RoadGraph updated = updater.update(grid, window);
+    const RoadGraph whole = extract_roads(grid, method);
+    ASSERT_EQ(digest_of(updated), digest_of(whole))
+        << "seed " << seed << ", change " << i << " of kind " << static_cast<int>(kind)
+        << " at column " << window.column << ", row " << window.row << ", side " << side
+        << "\nupdated:" << text_of(updated) << "\nwhole:" << text_of(whole);
+  }
+}
+
+TEST_P(RoadUpdates, EqualTheWholeOnSmoothMaps) {
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    expect_equal_after_changes(cases()[GetParam()].method, noise_grid(160, -0.15, seed), 25, 40,
+                               seed);
+}
+
+TEST_P(RoadUpdates, EqualTheWholeOnMapsOfBlocks) {
+  for (const std::uint64_t seed : {4U, 5U, 6U})
+    expect_equal_after_changes(cases()[GetParam()].method,
+                               random_grid(120, 90, seed == 4 ? 0.6 : 0.8, 5, seed), 25, 30, seed);
+}
+
+TEST_P(RoadUpdates, EqualTheWholeOnMapsOfSpeckles) {
+  for (const std::uint64_t seed : {7U, 8U, 9U})
+    expect_equal_after_changes(cases()[GetParam()].method, random_grid(60, 80, 0.7, 1, seed), 25,
+                               20, seed);
+}
+
+}  // namespace
+}  // namespace stope::topology
