@@ -61,13 +61,26 @@ bool DrivableGrid::line_free(const Vector2& a, const Vector2& b) const {
 }
 
 double DrivableGrid::clearance(const Vector2& point, double most) const {
+  return distance_to_nearest(point, most, [this](Cell cell) { return !free(cell); });
+}
+
+double DrivableGrid::distance_to_obstacle(const Vector2& point, double most) const {
+  return distance_to_nearest(point, most, [this](Cell cell) {
+    const std::uint8_t value = grid_.cells[grid_.frame.place(cell)];
+    return value >= 127 && value != OccupancyGrid::kUnknown;
+  });
+}
+
+template <class Wanted>
+double DrivableGrid::distance_to_nearest(const Vector2& point, double most,
+                                         const Wanted& wanted) const {
   const double resolution = grid_.frame.resolution;
   double best = most;
   visit_rings(
       grid_.frame, cell_of(grid_.frame, point), static_cast<std::int32_t>(most / resolution) + 1,
       [&](std::int32_t ring) { return (ring - 1) * resolution < best; },
       [&](Cell cell) {
-        if (!free(cell)) best = std::min(best, (grid_.frame.centre(cell) - point).norm());
+        if (wanted(cell)) best = std::min(best, (grid_.frame.centre(cell) - point).norm());
       });
   return best;
 }

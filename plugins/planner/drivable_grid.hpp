@@ -26,11 +26,16 @@ class DrivableGrid {
   /// Metres from a point to the centre of the nearest cell of the map that is not free, at most
   /// `most`.
   double clearance(const Vector2& point, double most) const;
+  /// The same to the nearest cell that is known to be occupied.
+  double distance_to_obstacle(const Vector2& point, double most) const;
   /// The free cell whose centre is nearest to a point, no farther than `most` metres; equals by
   /// row, then column. Outside the map if there is none.
   Cell nearest_free(const Vector2& point, double most) const;
 
  private:
+  template <class Wanted>
+  double distance_to_nearest(const Vector2& point, double most, const Wanted& wanted) const;
+
   const OccupancyGrid& grid_;
 };
 

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "plugins/planner/requested_changes.hpp"
 #include "plugins/planner/road_network.hpp"
+#include "plugins/planner/road_router.hpp"
 #include "stope/payloads/occupancy_grid.hpp"
 #include "stope/payloads/path.hpp"
 
@@ -18,6 +20,24 @@ struct PlanRequest {
   double step = 1;                                 ///< metres between points of the path, at most
   double smoothing = 2;                            ///< metres over which heading is taken
   RoadRules rules;
+  RequestedChanges changes;
+  bool avoid_obstructed = true;  ///< roads on which the grid shows an obstacle are not driven
+};
+
+/// Plans path after path along the same roads. Keeps a reference to the graph.
+class RoadPlanner {
+ public:
+  /// Throws Error if there is no road that can be driven.
+  RoadPlanner(
+      const RoadGraph& roads, const RoadRules& rules, RouteSearch search = RouteSearch::kAStar,
+      const std::function<void()>& pause = [] {});
+  /// `request.rules` are not looked at: those of the constructor hold. Else as plan_path().
+  Path plan(const OccupancyGrid* grid, const PlanRequest& request,
+            const std::function<void(std::string_view)>& say);
+
+ private:
+  RoadNetwork network_;
+  RoadRouter router_;
 };
 
 /// Plans a path along the roads. `grid` may be null: then start and goal are joined to their

@@ -17,6 +17,7 @@ double mix(double a, double b, double fraction) { return a + fraction * (b - a);
 
 RoadNetwork::RoadNetwork(const RoadGraph& graph, const RoadRules& rules)
     : graph_(graph),
+      rules_(rules),
       along_(graph.vertices.size()),
       cost_(graph.vertices.size()),
       usable_(graph.edges.size()) {

@@ -35,6 +35,7 @@ class RoadNetwork {
   RoadNetwork(const RoadGraph& graph, const RoadRules& rules);
 
   const RoadGraph& graph() const { return graph_; }
+  const RoadRules& rules() const { return rules_; }
   bool usable(std::uint32_t edge) const { return usable_[edge]; }
   bool forward(std::uint32_t edge) const {
     return usable(edge) && graph_.edges[edge].direction != RoadDirection::kBackward;
@@ -74,6 +75,7 @@ class RoadNetwork {
   Adjacency make_adjacency(bool into) const;
 
   const RoadGraph& graph_;
+  RoadRules rules_;
   std::vector<double> along_, cost_;  // of each vertex, from the start of its edge
   std::vector<bool> usable_;          // of each edge
   Adjacency out_, in_;

@@ -45,18 +45,18 @@ std::vector<SnappedPlace> nearest_places(const RoadNetwork& network, const Vecto
   return places;
 }
 
-SnappedPlace nearest_reachable(const RoadNetwork& network, RoadPlace start, const Vector2& point) {
-  const std::vector<double> costs = costs_from(network, start);
+std::vector<SnappedPlace> reachable_places(const RoadNetwork& network, RoadPlace place,
+                                           bool against, const Vector2& point,
+                                           const RoadChanges& changes) {
+  const std::vector<double> costs = costs_from(network, place, against, changes);
   const auto& edges = network.graph().edges;
-  const auto reached = [&](std::uint32_t e) {
-    return (network.forward(e) && std::isfinite(costs[edges[e].from])) ||
-           (network.backward(e) && std::isfinite(costs[edges[e].to]));
+  const auto joined = [&](std::uint32_t e) {
+    const std::uint32_t behind = against ? edges[e].to : edges[e].from;
+    const std::uint32_t before = against ? edges[e].from : edges[e].to;
+    return !changes.closed(e) && ((network.forward(e) && std::isfinite(costs[behind])) ||
+                                  (network.backward(e) && std::isfinite(costs[before])));
   };
-  const auto places = nearest_places(network, point, reached);
-  if (!places.empty()) return places.front();
-  const RoadVertex here = network.at(start);
-  const Vector2 position(here.x, here.y);
-  return {start, position, (point - position).norm()};
+  return nearest_places(network, point, joined);
 }
 
 }  // namespace stope::planner

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "plugins/planner/road_changes.hpp"
 #include "plugins/planner/road_network.hpp"
 #include "stope/geometry.hpp"
 
@@ -20,7 +21,10 @@ struct SnappedPlace {
 std::vector<SnappedPlace> nearest_places(const RoadNetwork& network, const Vector2& point,
                                          const std::function<bool(std::uint32_t edge)>& accept);
 
-/// Of the roads that can be driven to from `start`, the place nearest to `point`.
-SnappedPlace nearest_reachable(const RoadNetwork& network, RoadPlace start, const Vector2& point);
+/// The same of the roads that can be driven to from `place`, or with `against` from which it can be
+/// driven to. None if there are none.
+std::vector<SnappedPlace> reachable_places(const RoadNetwork& network, RoadPlace place,
+                                           bool against, const Vector2& point,
+                                           const RoadChanges& changes = {});
 
 }  // namespace stope::planner

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "plugins/planner/search_graph.hpp"
+
+namespace stope::planner {
+
+/// A graph's nodes in an order of importance, and for each the arcs and shortcuts that join it to
+/// more important ones, such that every cheapest way has an equally cheap one that first climbs and
+/// then descends. Nodes are known by rank here: 0 is the least important.
+class ContractionHierarchy {
+ public:
+  /// What a shortcut stands for: an arc down to a less important node (its place among the arcs
+  /// down) and one up from there (its place among the arcs up). `down` is kNoArc for an arc of the
+  /// graph; `up` is its number then.
+  struct Parts {
+    std::uint32_t down = kNoArc, up = 0;
+  };
+
+  /// See the .cpp for method and cost. Keeps no reference to the graph. Calls `pause` now and then,
+  /// which may throw to give up. Throws Error if a way between two nodes costs more than 2^32 - 2.
+  explicit ContractionHierarchy(
+      const SearchGraph& graph, const std::function<void()>& pause = [] {});
+
+  std::uint32_t node_count() const { return static_cast<std::uint32_t>(node_of_.size()); }
+  std::uint32_t rank(std::uint32_t node) const { return rank_of_[node]; }
+  std::uint32_t node(std::uint32_t rank) const { return node_of_[rank]; }
+  /// Arcs from a node to more important ones (`up`), and to it from more important ones (`down`,
+  /// whose SearchArc::to is where they come from). Arcs of all nodes stand in one array each.
+  struct Half {
+    std::vector<std::uint32_t> first;  // node_count + 1
+    std::vector<SearchArc> arcs;
+    std::vector<Parts> parts;
+    std::span<const SearchArc> of(std::uint32_t rank) const {
+      return std::span(arcs).subspan(first[rank], first[rank + 1] - first[rank]);
+    }
+  };
+  const Half& up() const { return up_; }
+  const Half& down() const { return down_; }
+  /// Appends the arcs of the graph that an arc up (or down) stands for, as they are driven.
+  void unpack_up(std::uint32_t place, std::vector<std::uint32_t>& arcs) const;
+  void unpack_down(std::uint32_t place, std::vector<std::uint32_t>& arcs) const;
+
+ private:
+  void unpack(const Parts& parts, std::vector<std::uint32_t>& arcs) const;
+
+  std::vector<std::uint32_t> rank_of_, node_of_;
+  Half up_, down_;
+};
+
+}  // namespace stope::planner

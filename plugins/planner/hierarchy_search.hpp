@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plugins/planner/contraction_hierarchy.hpp"
+#include "plugins/planner/route_query.hpp"
+#include "plugins/planner/search_labels.hpp"
+
+namespace stope::planner {
+
+/// Cheapest ways in a graph whose costs have not changed: two searches that climb a contraction
+/// hierarchy, from the sources and from the targets, until they meet. Keeps references to both; one
+/// query at a time.
+class HierarchySearch {
+ public:
+  HierarchySearch(const SearchGraph& graph, const ContractionHierarchy& hierarchy);
+  /// A cheapest way from one of the sources to one of the targets.
+  Way find(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
+  /// What it costs, without the way itself.
+  WayCost cost(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
+
+ private:
+  struct Side {
+    SearchLabels labels;
+    SearchHeap<WayCost> heap;
+  };
+  void start(Side& side, std::span<const WayEnd> ends) const;
+  void step(Side& side, const Side& other, const ContractionHierarchy::Half& onward,
+            const ContractionHierarchy::Half& back);
+  void climb(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
+
+  const SearchGraph& graph_;
+  const ContractionHierarchy& hierarchy_;
+  Side forward_, backward_;
+  // Where the best way so far turns from climbing to descending.
+  WayCost best_ = kNoWay;
+  std::uint32_t top_ = 0, settled_ = 0;
+};
+
+}  // namespace stope::planner

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugins/planner/road_changes.hpp"
+#include "plugins/planner/road_network.hpp"
+
+namespace stope::planner {
+
+/// What an operator says of the roads today.
+struct RequestedChanges {
+  std::vector<double> closed_places;      ///< [x, y, x, y, …], metres: no passing there
+  std::vector<std::string> closed_roads;  ///< ids of road edges, decimal
+  std::vector<double> slow_places;  ///< [x, y, factor, …]: the road there costs factor times
+};
+
+/// Finds the roads that are meant: the one nearest to each place, no farther than `most` metres,
+/// and those with the ids. Throws Error for what cannot be meant; the sentence names the nearest.
+RoadChanges resolve(const RequestedChanges& requested, const RoadNetwork& network, double most);
+
+}  // namespace stope::planner

@@ -1,0 +1,194 @@
+// What an operator or a live grid says of the roads now, through the stage.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stope/testing/memory_context.hpp"
+#include "tests/plugins/planner/test_roads.hpp"
+#include "tests/plugins/stage_harness.hpp"
+
+extern "C" const stope::StageEntry* stope_stage_AStar();
+
+namespace stope::planner {
+namespace {
+
+using stope::testing::error_of;
+using stope::testing::StageHarness;
+using Numbers = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+// Two ways from (5, 10) to (55, 10): straight, 50 m (road 1000), and round by y = 30, 90 m (road
+// 1001); a stub leads in and one out.
+RoadGraph two_ways() {
+  RoadGraph graph;
+  graph.nodes = {{1, 2, 10, 0}, {2, 5, 10, 0}, {3, 55, 10, 0}, {4, 58, 10, 0}};
+  add_road(graph, 1, 2);
+  add_road(graph, 1, 2, {{5, 30}, {55, 30}});
+  add_road(graph, 0, 1);
+  add_road(graph, 2, 3);
+  return graph;
+}
+
+StageHarness planner(RoadGraph graph = two_ways()) {
+  StageHarness stage(stope_stage_AStar());
+  stage.input("roads", std::move(graph));
+  stage.set("start", Numbers{2, 10});
+  stage.set("goal", Numbers{58, 10});
+  return stage;
+}
+
+OccupancyGrid ground() {
+  OccupancyGrid grid;
+  grid.frame = {120, 80, 0.5, {}};
+  grid.cells.assign(grid.frame.size(), OccupancyGrid::kFree);
+  return grid;
+}
+
+void fill(OccupancyGrid& grid, double left, double bottom, double right, double top,
+          std::uint8_t value) {
+  for (std::int32_t row = 0; row < grid.frame.height; ++row) {
+    for (std::int32_t column = 0; column < grid.frame.width; ++column) {
+      const Vector2 centre = grid.frame.centre({column, row});
+      if (centre.x() > left && centre.x() < right && centre.y() > bottom && centre.y() < top)
+        grid.cells[grid.frame.place({column, row})] = value;
+    }
+  }
+}
+
+constexpr double kStraight = 56, kRound = 96;
+
+TEST(Rerouting, ClosedPlacesAndRoadsAreDrivenRound) {
+  for (const char* search : {"a_star", "landmarks", "hierarchy"}) {
+    SCOPED_TRACE(search);
+    const auto stage = [&] {
+      StageHarness made = planner();
+      made.set("search", std::string(search));
+      return made;
+    };
+    EXPECT_NEAR(stage().apply<Path>().length, kStraight, 1e-9);
+    EXPECT_NEAR(stage().set("closed_places", Numbers{30, 11}).apply<Path>().length, kRound, 1e-9);
+    EXPECT_NEAR(stage().set("closed_roads", Texts{"1000"}).apply<Path>().length, kRound, 1e-9);
+    EXPECT_NEAR(stage().set("slow_places", Numbers{30, 11, 1.5}).apply<Path>().length, kStraight,
+                1e-9);
+    EXPECT_NEAR(stage().set("slow_places", Numbers{30, 11, 2}).apply<Path>().length, kRound, 1e-9);
+  }
+}
+
+TEST(Rerouting, AnObstacleOnTheRoadIsDrivenRoundAndSaid) {
+  OccupancyGrid grid = ground();
+  fill(grid, 29, 9, 31, 11, OccupancyGrid::kOccupied);
+  auto stage = planner();
+  EXPECT_NEAR(stage.input("grid", grid).apply<Path>().length, kRound, 1e-9);
+  EXPECT_EQ(stage.context().sentences.at(0),
+            "one road is obstructed now, the first at (29.00, 10.00): the way leads round");
+  EXPECT_NEAR(planner().input("grid", grid).set("avoid_obstructed", false).apply<Path>().length,
+              kStraight, 1e-9);
+  // What is not known is no obstacle.
+  OccupancyGrid unknown = ground();
+  fill(unknown, 29, 9, 31, 11, OccupancyGrid::kUnknown);
+  EXPECT_NEAR(planner().input("grid", unknown).apply<Path>().length, kStraight, 1e-9);
+}
+
+TEST(Rerouting, AnObstacleBesideTheRoadCountsWhereItTakesTheClearanceAsked) {
+  OccupancyGrid grid = ground();
+  fill(grid, 29, 12, 31, 14, OccupancyGrid::kOccupied);  // 2.25 m from the centre line
+  const auto length = [&](double min_clearance) {
+    return planner().input("grid", grid).set("min_clearance", min_clearance).apply<Path>().length;
+  };
+  EXPECT_NEAR(length(1), kStraight, 1e-9);
+  EXPECT_NEAR(length(2), kStraight, 1e-9);
+  EXPECT_NEAR(length(3), kRound, 1e-9);
+}
+
+TEST(Rerouting, WhereNoWayIsLeftItSaysWhat) {
+  OccupancyGrid grid = ground();
+  fill(grid, 29, 0, 31, 40, OccupancyGrid::kOccupied);
+  EXPECT_EQ(error_of([&] { planner().input("grid", grid).apply<Path>(); }),
+            "the goal (58.00, 10.00) cannot be reached from the start by road, as 2 roads are "
+            "obstructed now, the first at (29.00, 10.00); the nearest reachable place is (55.00, "
+            "10.00), 3.0 m away");
+  EXPECT_NE(error_of([&] {
+              planner().set("closed_places", Numbers{30, 10, 30, 30}).apply<Path>();
+            }).find("with the roads closed that closed_places and closed_roads name"),
+            std::string::npos);
+}
+
+TEST(Rerouting, BadChangesAreRefusedWithTheNearest) {
+  const auto sentence = [](const char* name, auto value) {
+    return error_of([&] { planner().set(name, value).template apply<Path>(); });
+  };
+  EXPECT_EQ(sentence("closed_places", Numbers{30, 100}),
+            "closed_places names the place (30.00, 100.00), where no road is; the nearest road is "
+            "at (30.00, 30.00), 70.0 m away, farther than the snap_distance of 50.0 m");
+  EXPECT_EQ(sentence("closed_places", Numbers{30}),
+            "closed_places has 1 numbers; they must come as [x, y, x, y, …]");
+  EXPECT_EQ(sentence("closed_roads", Texts{"1007"}),
+            "closed_roads names the road 1007, which the road graph does not have; of its 4 roads "
+            "the nearest number is 1003");
+  EXPECT_NE(sentence("closed_roads", Texts{"main road"}).find("is not the id of a road"),
+            std::string::npos);
+  EXPECT_NE(sentence("slow_places", Numbers{30, 10, 0.5}).find("only be made dearer"),
+            std::string::npos);
+  EXPECT_NE(sentence("slow_places", Numbers{30, std::nan(""), 2}).find("not finite"),
+            std::string::npos);
+  EXPECT_NE(sentence("closed_roads", Texts{"1000", "1001", "1002", "1003"}).find("all roads"),
+            std::string::npos);
+}
+
+TEST(Rerouting, DamagedRoadsAreRefused) {
+  RoadGraph graph = two_ways();
+  graph.vertices[3].x = std::nan("");
+  EXPECT_NE(error_of([&] { planner(graph).apply<Path>(); }).find("are not finite"),
+            std::string::npos);
+  graph = two_ways();
+  graph.edges[1].to = 9;
+  EXPECT_NE(error_of([&] { planner(graph).apply<Path>(); }).find("the graph is damaged"),
+            std::string::npos);
+}
+
+TEST(Rerouting, AWiredPoseIsTheStart) {
+  StampedPose pose;
+  pose.T_map_lidar.translation = {20, 12, 3};
+  const Path path = planner().input("pose", pose).apply<Path>();
+  EXPECT_NEAR(path.length, 2 + 38, 1e-9);
+  EXPECT_EQ(path.points.front().x, 20);
+}
+
+TEST(Rerouting, KeepsNothingOfEarlierItemsButTheirPreparation) {
+  auto stage = planner();
+  EXPECT_NEAR(stage.apply<Path>().length, kStraight, 1e-9);
+  OccupancyGrid grid = ground();
+  fill(grid, 29, 9, 31, 11, OccupancyGrid::kOccupied);
+  EXPECT_NEAR(stage.input("grid", grid).apply<Path>().length, kRound, 1e-9);
+  EXPECT_NEAR(stage.input("grid", ground()).apply<Path>().length, kStraight, 1e-9);
+  RoadGraph longer = two_ways();
+  longer.edges[0].closed = 1;
+  EXPECT_NEAR(stage.input("roads", longer).apply<Path>().length, kRound, 1e-9);
+}
+
+TEST(Rerouting, TheNearestPlaceForAStartIsOneThatLeadsToTheGoal) {
+  RoadGraph graph = two_ways();
+  graph.nodes.push_back({5, 20, 60, 0});  // an island, nearest to the start
+  graph.nodes.push_back({6, 40, 60, 0});
+  add_road(graph, 4, 5);
+  auto stage = planner(graph);
+  stage.set("start", Numbers{30, 115});
+  EXPECT_NE(error_of([&] {
+              stage.apply<Path>();
+            }).find("the nearest reachable place is (30.00, 30.00), 85.0 m away"),
+            std::string::npos);
+}
+
+TEST(Rerouting, AOneWayDeadEndIsNoWayOut) {
+  RoadGraph graph = two_ways();
+  graph.edges[3].direction = RoadDirection::kForward;  // into (58, 10) only
+  EXPECT_NEAR(planner(graph).apply<Path>().length, kStraight, 1e-9);
+  auto stage = planner(graph);
+  stage.set("start", Numbers{58, 10}).set("goal", Numbers{2, 10});
+  EXPECT_EQ(error_of([&] { stage.apply<Path>(); }),
+            "the goal (2.00, 10.00) cannot be reached from the start by road; the nearest "
+            "reachable place is (58.00, 10.00), 56.0 m away");
+}
+
+}  // namespace
+}  // namespace stope::planner
