@@ -12,13 +12,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
+#include "plugins/planner/core_contraction.hpp"
 #include "plugins/planner/node_contraction.hpp"
 
 namespace stope::planner {
 namespace {
 
-constexpr std::size_t kFew = 12;
+constexpr std::size_t kFew = 12;     // neighbours, of which the importance is taken at once
+constexpr std::uint64_t kDense = 6;  // links a node, from which on the rest is a core
 
 struct Turn {
   std::uint64_t importance;
@@ -28,9 +31,54 @@ struct Turn {
   }
 };
 
+/// Orders the nodes that have no rank yet and takes them out, all at once.
+void take_core(const NodeContraction& contraction, std::span<const NodePlace> places,
+               std::vector<std::uint32_t>& rank_of, std::vector<std::uint32_t>& node_of,
+               ContractionHierarchy::Half& up, ContractionHierarchy::Half& down,
+               const std::function<void()>& pause) {
+  constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> local(rank_of.size(), 0), nodes;
+  for (const std::uint32_t node : node_of) local[node] = kGone;
+  for (std::uint32_t node = 0; node < local.size(); ++node) {
+    if (local[node] == kGone) continue;
+    local[node] = static_cast<std::uint32_t>(nodes.size());
+    nodes.push_back(node);
+  }
+  NeighbourLists neighbours;
+  std::vector<NodePlace> where;
+  neighbours.first.push_back(0);
+  for (const std::uint32_t node : nodes) {
+    const auto begin = static_cast<std::ptrdiff_t>(neighbours.nodes.size());
+    for (const auto* links : {&contraction.links_from(node), &contraction.links_to(node)})
+      for (const auto& link : *links) neighbours.nodes.push_back(local[link.other]);
+    std::sort(neighbours.nodes.begin() + begin, neighbours.nodes.end());
+    neighbours.nodes.erase(std::unique(neighbours.nodes.begin() + begin, neighbours.nodes.end()),
+                           neighbours.nodes.end());
+    neighbours.first.push_back(static_cast<std::uint32_t>(neighbours.nodes.size()));
+    where.push_back(places[node]);
+  }
+  std::vector<std::uint32_t> order = dissection_order(neighbours, where);
+  for (std::uint32_t& node : order) node = nodes[node];
+  for (std::uint32_t i = 0; i < order.size(); ++i) local[order[i]] = i;
+  std::vector<CoreLink> links;
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    for (const auto& link : contraction.links_from(order[i]))
+      links.push_back({i, local[link.other], link.cost, link.parts});
+  }
+  std::sort(links.begin(), links.end(), [](const CoreLink& a, const CoreLink& b) {
+    return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+  });
+  contract_core(order, links, up, down, pause);
+  for (const std::uint32_t node : order) {
+    rank_of[node] = static_cast<std::uint32_t>(node_of.size());
+    node_of.push_back(node);
+  }
+}
+
 }  // namespace
 
 ContractionHierarchy::ContractionHierarchy(const SearchGraph& graph,
+                                           std::span<const NodePlace> places,
                                            const std::function<void()>& pause)
     : rank_of_(graph.node_count()) {
   NodeContraction contraction(graph, up_, down_);
@@ -43,7 +91,12 @@ ContractionHierarchy::ContractionHierarchy(const SearchGraph& graph,
   }
   std::make_heap(turns.begin(), turns.end());
   std::vector<std::uint32_t> neighbours;
-  while (!turns.empty()) {
+  while (node_of_.size() < graph.node_count()) {
+    const std::uint64_t left = graph.node_count() - node_of_.size();
+    if (!places.empty() && contraction.link_count() > kDense * left) {
+      take_core(contraction, places, rank_of_, node_of_, up_, down_, pause);
+      break;
+    }
     std::pop_heap(turns.begin(), turns.end());
     const Turn turn = turns.back();
     turns.pop_back();
@@ -71,7 +124,8 @@ ContractionHierarchy::ContractionHierarchy(const SearchGraph& graph,
     }
   }
   for (Half* half : {&up_, &down_}) {
-    half->first.push_back(static_cast<std::uint32_t>(half->arcs.size()));
+    if (half->first.size() == node_of_.size())
+      half->first.push_back(static_cast<std::uint32_t>(half->arcs.size()));
     for (SearchArc& arc : half->arcs) arc.to = rank_of_[arc.to];
   }
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "plugins/planner/nested_dissection.hpp"
 #include "plugins/planner/search_graph.hpp"
 
 namespace stope::planner {
@@ -21,10 +22,13 @@ class ContractionHierarchy {
     std::uint32_t down = kNoArc, up = 0;
   };
 
-  /// See the .cpp for method and cost. Keeps no reference to the graph. Calls `pause` now and then,
-  /// which may throw to give up. Throws Error if a way between two nodes costs more than 2^32 - 2.
+  /// See the .cpp for method and cost. Keeps no reference to the graph. `places` of all nodes, or
+  /// none: with them dense networks such as grids are feasible too. Calls `pause` now and then,
+  /// which may throw to give up. Throws Error if a way between two nodes costs too much for 32
+  /// bits.
   explicit ContractionHierarchy(
-      const SearchGraph& graph, const std::function<void()>& pause = [] {});
+      const SearchGraph& graph, std::span<const NodePlace> places = {},
+      const std::function<void()>& pause = [] {});
 
   std::uint32_t node_count() const { return static_cast<std::uint32_t>(node_of_.size()); }
   std::uint32_t rank(std::uint32_t node) const { return rank_of_[node]; }

@@ -25,20 +25,22 @@ NodeContraction::NodeContraction(const SearchGraph& graph, Half& up, Half& down)
     for (std::uint32_t arc = graph.first_arc(node); arc < graph.end_arc(node); ++arc) {
       const SearchArc& step = graph.arc(arc);
       if (step.to == node) continue;
-      join(out_[node], {step.to, step.cost, 1, {kNoArc, arc}});
+      link_count_ += join(out_[node], {step.to, step.cost, 1, {kNoArc, arc}});
       join(in_[step.to], {node, step.cost, 1, {kNoArc, arc}});
     }
   }
 }
 
-/// Adds a link; of two to the same node the cheaper stays, of equals the first.
-void NodeContraction::join(std::vector<Link>& links, const Link& link) {
+/// Adds a link; of two to the same node the cheaper stays, of equals the first. Whether there was
+/// none before.
+bool NodeContraction::join(std::vector<Link>& links, const Link& link) {
   for (Link& old : links) {
     if (old.other != link.other) continue;
     if (link.cost < old.cost) old = link;
-    return;
+    return false;
   }
   links.push_back(link);
+  return true;
 }
 
 void NodeContraction::cut(std::vector<Link>& links, std::uint32_t other) {
@@ -134,9 +136,10 @@ void NodeContraction::contract(std::uint32_t node, std::vector<std::uint32_t>& n
   }
   for (const Shortcut& shortcut : shortcuts_) {
     const Parts parts{first_down + shortcut.in, first_up + shortcut.out};
-    join(out_[shortcut.from], {shortcut.to, shortcut.cost, shortcut.hops, parts});
+    link_count_ += join(out_[shortcut.from], {shortcut.to, shortcut.cost, shortcut.hops, parts});
     join(in_[shortcut.to], {shortcut.from, shortcut.cost, shortcut.hops, parts});
   }
+  link_count_ -= out_[node].size() + in_[node].size();
   // Storage of nodes that are gone is the greater part of the memory otherwise.
   std::vector<Link>().swap(out_[node]);
   std::vector<Link>().swap(in_[node]);

@@ -15,17 +15,23 @@ class NodeContraction {
   using Half = ContractionHierarchy::Half;
   using Parts = ContractionHierarchy::Parts;
 
+  /// To or from another node that is left.
+  struct Link {
+    std::uint32_t other = 0, cost = 0, hops = 1;
+    Parts parts;
+  };
+
   NodeContraction(const SearchGraph& graph, Half& up, Half& down);
   /// How late a node should be taken out.
   std::uint64_t importance(std::uint32_t node);
   /// Takes a node out, adds the shortcuts that this asks for, and lists the nodes it was joined to.
   void contract(std::uint32_t node, std::vector<std::uint32_t>& neighbours);
+  /// Links between the nodes that are left.
+  std::uint64_t link_count() const { return link_count_; }
+  const std::vector<Link>& links_from(std::uint32_t node) const { return out_[node]; }
+  const std::vector<Link>& links_to(std::uint32_t node) const { return in_[node]; }
 
  private:
-  struct Link {
-    std::uint32_t other = 0, cost = 0, hops = 1;
-    Parts parts;
-  };
   struct Shortcut {
     std::uint32_t from, to, cost, hops;
     std::uint32_t in, out;  // places in in_[node], out_[node]
@@ -34,10 +40,11 @@ class NodeContraction {
   void find_shortcuts(std::uint32_t node, std::uint32_t limit);
   void search_witnesses(std::uint32_t from, std::uint32_t without, WayCost most,
                         std::uint32_t limit);
-  static void join(std::vector<Link>& links, const Link& link);
+  static bool join(std::vector<Link>& links, const Link& link);
   static void cut(std::vector<Link>& links, std::uint32_t other);
 
   std::vector<std::vector<Link>> out_, in_;
+  std::uint64_t link_count_ = 0;
   std::vector<std::uint32_t> levels_;
   Half &up_, &down_;
   std::vector<Shortcut> shortcuts_;

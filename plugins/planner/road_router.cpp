@@ -63,7 +63,10 @@ RoadRouter::RoadRouter(const RoadNetwork& network, RouteSearch search,
     searches_->landmarks.emplace(graph_, kLandmarks, pause);
     searches_->by_landmarks.emplace(graph_, *searches_->landmarks);
   } else if (search == RouteSearch::kHierarchy) {
-    searches_->hierarchy.emplace(graph_, pause);
+    std::vector<NodePlace> places;
+    for (const RoadNode& node : network.graph().nodes)
+      places.push_back({static_cast<float>(node.x), static_cast<float>(node.y)});
+    searches_->hierarchy.emplace(graph_, places, pause);
     searches_->by_hierarchy.emplace(graph_, *searches_->hierarchy);
     searches_->reroute.emplace(graph_, *searches_->hierarchy);
   } else {

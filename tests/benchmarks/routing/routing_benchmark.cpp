@@ -218,7 +218,7 @@ void run(const std::string& name, const TestNetwork& network, double cost_per_me
   fmt::print("{}: {} nodes, {} arcs\n", name, graph.node_count(), graph.arc_count());
   std::fflush(stdout);
   double start = now_ms();
-  const ContractionHierarchy hierarchy(graph);
+  const ContractionHierarchy hierarchy(graph, network.places());
   fmt::print("  contraction hierarchy made in {:.1f} s, {} arcs and shortcuts\n",
              1e-3 * (now_ms() - start), hierarchy.up().arcs.size() + hierarchy.down().arcs.size());
   start = now_ms();

@@ -28,6 +28,13 @@ std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t node) {
 
 }  // namespace
 
+std::vector<NodePlace> TestNetwork::places() const {
+  std::vector<NodePlace> places(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    places[i] = {static_cast<float>(x[i]), static_cast<float>(y[i])};
+  return places;
+}
+
 TestNetwork lattice(std::uint32_t side, double spread, std::uint64_t seed) {
   TestNetwork network;
   Random random(seed);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "plugins/planner/nested_dissection.hpp"
 #include "plugins/planner/search_graph.hpp"
 
 namespace stope::planner {
@@ -11,6 +12,7 @@ namespace stope::planner {
 struct TestNetwork {
   std::vector<double> x, y;  // metres
   std::vector<ArcBetween> arcs;
+  std::vector<NodePlace> places() const;
   SearchGraph graph() const { return {static_cast<std::uint32_t>(x.size()), arcs}; }
 };
 

@@ -87,8 +87,16 @@ TEST(NetworkSearch, AllFindWaysAsCheapAsRelaxationDoes) {
   int found = 0, none = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const auto nodes = static_cast<std::uint32_t>(1 + random.below(40));
-    const SearchGraph graph(nodes, random_arcs(random, nodes, random.below(3 * nodes)));
-    const ContractionHierarchy hierarchy(graph);
+    const SearchGraph graph(
+        nodes, random_arcs(random, nodes, random.below((trial % 4 < 2 ? 3 : 12) * nodes)));
+    // With places dense ones are ordered by nested dissection; any places will do.
+    std::vector<NodePlace> places;
+    if (trial % 2 == 0) {
+      for (std::uint32_t node = 0; node < nodes; ++node)
+        places.push_back(
+            {static_cast<float>(random.uniform()), static_cast<float>(random.uniform())});
+    }
+    const ContractionHierarchy hierarchy(graph, places);
     const Landmarks landmarks(graph, 5);
     DijkstraSearch dijkstra(graph);
     HierarchySearch by_hierarchy(graph, hierarchy);
@@ -120,7 +128,7 @@ TEST(NetworkSearch, EveryOneOfManyWaysIsAsCheapAsDijkstras) {
   const TestNetwork networks[] = {lattice(40, 1, 1), lattice(50, 2, 2), road_like(40, 3)};
   for (const TestNetwork& network : networks) {
     const SearchGraph graph = network.graph();
-    const ContractionHierarchy hierarchy(graph);
+    const ContractionHierarchy hierarchy(graph, network.places());
     const Landmarks landmarks(graph, 8);
     DijkstraSearch dijkstra(graph);
     HierarchySearch by_hierarchy(graph, hierarchy);
