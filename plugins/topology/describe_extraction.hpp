@@ -17,6 +17,7 @@ namespace stope::topology {
 /// The family's common parameters.
 template <class Stage>
 void describe_extraction(About<Stage>& about) {
+  about.in_order();  // where a grid says what has changed, the rest is remembered
   about
       .param("min_clearance", &ExtractionParams::min_clearance, "m", at_least(0.0),
              "Drops the parts of roads narrower than twice this.")

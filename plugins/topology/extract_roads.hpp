@@ -15,12 +15,14 @@ struct ExtractionParams {
   double occupied_threshold = 0.5;
   bool unknown_is_obstacle = true;
   bool allow_empty = false;  ///< heeded by the stages: the functions below give empty graphs
+  bool operator==(const ExtractionParams&) const = default;
 };
 
 /// When a branch that ends is kept; metres.
 struct BranchParams {
   double min_branch = 4.0;
   double min_branch_share = 0.75;
+  bool operator==(const BranchParams&) const = default;
 };
 
 /// Which lines of the medial axis a skeleton has, before its branches are judged; metres.
@@ -29,12 +31,14 @@ struct SkeletonParams {
   Pruning pruning = Pruning::kChordResidual;
   double residual = 1.0;  ///< least way along the outline beyond the straight one
   double lambda = 4.0;    ///< least distance of the two places seen
+  bool operator==(const SkeletonParams&) const = default;
 };
 
 /// How a watershed splits outlines into sites: where they turn towards free space.
 struct PartParams {
   double corner_angle = 1.0;  ///< radians
   double part_length = 40.0;  ///< metres within which the outline turns so far
+  bool operator==(const PartParams&) const = default;
 };
 
 /// Roads between different obstacles only.

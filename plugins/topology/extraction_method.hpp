@@ -14,6 +14,7 @@ struct ExtractionMethod {
   BranchParams branches;
   SkeletonParams skeleton;
   PartParams parts;
+  bool operator==(const ExtractionMethod&) const = default;
 
   /// Whether lines may end, so that they are connected and pruned.
   bool branching() const { return kind != Kind::kWatershed; }

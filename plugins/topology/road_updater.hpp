@@ -17,6 +17,8 @@ class RoadUpdater {
   RoadUpdater(RoadUpdater&&) noexcept;
   RoadUpdater& operator=(RoadUpdater&&) noexcept;
 
+  const ExtractionMethod& method() const { return method_; }
+
   /// Of any grid. Throws Error like the extraction without memory.
   RoadGraph full(const OccupancyGrid& grid, const Checkpoint& checkpoint = never_stop);
 

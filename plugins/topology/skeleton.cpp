@@ -3,7 +3,7 @@
 #include <string>
 
 #include "plugins/topology/describe_extraction.hpp"
-#include "plugins/topology/extract_roads.hpp"
+#include "plugins/topology/remember_roads.hpp"
 #include "stope/stope.hpp"
 
 namespace stope::topology {
@@ -48,13 +48,20 @@ class Skeleton final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGri
                   Context& context) const {
     const auto pruning = params.pruning == "lambda" ? SkeletonParams::Pruning::kLambda
                                                     : SkeletonParams::Pruning::kChordResidual;
-    RoadGraph roads =
-        skeleton_roads(grid, params, params, {pruning, params.residual, params.lambda},
-                       [&] { context.stop_if_cancelled(); });
+    RoadGraph roads = memory_.extract(grid,
+                                      {ExtractionMethod::Kind::kSkeleton,
+                                       params,
+                                       params,
+                                       {pruning, params.residual, params.lambda},
+                                       {}},
+                                      context);
     report_roads(roads, params, why_no_branches(params, params), context);
     if (elevation) give_elevation(roads, *elevation);
     return roads;
   }
+
+ private:
+  mutable RememberRoads memory_;
 };
 
 }  // namespace stope::topology

@@ -1,5 +1,5 @@
 #include "plugins/topology/describe_extraction.hpp"
-#include "plugins/topology/extract_roads.hpp"
+#include "plugins/topology/remember_roads.hpp"
 #include "stope/stope.hpp"
 
 namespace stope::topology {
@@ -28,11 +28,15 @@ class Voronoi final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGrid
 
   RoadGraph apply(const OccupancyGrid& grid, const Optional<ElevationGrid>& elevation,
                   Context& context) const {
-    RoadGraph roads = voronoi_roads(grid, params, params, [&] { context.stop_if_cancelled(); });
+    RoadGraph roads =
+        memory_.extract(grid, {ExtractionMethod::Kind::kVoronoi, params, params, {}, {}}, context);
     report_roads(roads, params, why_no_branches(params, params), context);
     if (elevation) give_elevation(roads, *elevation);
     return roads;
   }
+
+ private:
+  mutable RememberRoads memory_;
 };
 
 }  // namespace stope::topology

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "plugins/topology/describe_extraction.hpp"
-#include "plugins/topology/extract_roads.hpp"
+#include "plugins/topology/remember_roads.hpp"
 #include "stope/stope.hpp"
 
 namespace stope::topology {
@@ -43,10 +43,10 @@ class Watershed final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGr
 
   RoadGraph apply(const OccupancyGrid& grid, const Optional<ElevationGrid>& elevation,
                   Context& context) const {
-    const Checkpoint checkpoint = [&] { context.stop_if_cancelled(); };
     const bool parts = params.sites == "outline_parts";
-    RoadGraph roads = parts ? watershed_part_roads(grid, params, params, params, checkpoint)
-                            : watershed_roads(grid, params, checkpoint);
+    const auto kind =
+        parts ? ExtractionMethod::Kind::kWatershedParts : ExtractionMethod::Kind::kWatershed;
+    RoadGraph roads = memory_.extract(grid, {kind, params, params, {}, params}, context);
     report_roads(roads, params, parts ? why_no_branches(params, params) : why_none(), context);
     if (elevation) give_elevation(roads, *elevation);
     return roads;
@@ -62,6 +62,8 @@ class Watershed final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGr
         "loops",
         params.min_obstacle_area, params.min_clearance);
   }
+
+  mutable RememberRoads memory_;
 };
 
 }  // namespace stope::topology

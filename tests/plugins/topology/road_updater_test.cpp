@@ -6,8 +6,13 @@
 
 #include "stope/digest.hpp"
 #include "stope/error.hpp"
+#include "tests/plugins/stage_harness.hpp"
 #include "tests/plugins/topology/random_changes.hpp"
 #include "tests/plugins/topology/test_grids.hpp"
+
+extern "C" const stope::StageEntry* stope_stage_Watershed();
+extern "C" const stope::StageEntry* stope_stage_Voronoi();
+extern "C" const stope::StageEntry* stope_stage_Skeleton();
 
 namespace stope::topology {
 namespace {
@@ -98,6 +103,89 @@ TEST_P(RoadUpdates, EqualTheWholeOnMapsOfSpeckles) {
   for (const std::uint64_t seed : {7U, 8U, 9U})
     expect_equal_after_changes(cases()[GetParam()].method, random_grid(60, 80, 0.7, 1, seed), 25,
                                20, seed);
+}
+
+// A wrong window is its producer's fault: the graph is then of something between both grids.
+TEST_P(RoadUpdates, SurviveAWindowThatIsWrong) {
+  const ExtractionMethod method = cases()[GetParam()].method;
+  Random random(11);
+  OccupancyGrid grid = random_grid(70, 50, 0.7, 3, 11);
+  RoadUpdater updater(method);
+  updater.full(grid);
+  for (int i = 0; i < 30; ++i) {
+    change_at_random(grid, 20, static_cast<ChangeKind>(i % kChangeKinds), random);
+    const auto place = [&] { return static_cast<std::int32_t>(random.uniform(-100.0, 100.0)); };
+    updater.update(grid, {place(), place(), place(), i % 5 == 0 ? INT32_MAX : place()});
+  }
+  EXPECT_EQ(digest_of(updater.full(grid)), digest_of(extract_roads(grid, method)));
+}
+
+TEST(RoadUpdater, ComputesAllOfAGridOfAnotherFrame) {
+  RoadUpdater updater({});
+  updater.full(noise_grid(60, -0.2, 1));
+  OccupancyGrid other = noise_grid(61, -0.2, 2);
+  EXPECT_EQ(digest_of(updater.update(other, {0, 0, 1, 1})), digest_of(extract_roads(other, {})));
+  other.frame.origin.x = 7;
+  EXPECT_EQ(digest_of(updater.update(other, {0, 0, 1, 1})), digest_of(extract_roads(other, {})));
+}
+
+TEST(RoadUpdater, GoesOnAfterAMapWithoutAFreeCell) {
+  OccupancyGrid grid = noise_grid(50, -0.2, 3);
+  const OccupancyGrid before = grid;
+  RoadUpdater updater({});
+  updater.full(grid);
+  std::fill(grid.cells.begin(), grid.cells.end(), OccupancyGrid::kOccupied);
+  EXPECT_THROW(updater.update(grid, {0, 0, 50, 50}), Error);
+  EXPECT_EQ(digest_of(updater.update(before, {0, 0, 50, 50})),
+            digest_of(extract_roads(before, {})));
+}
+
+TEST(RoadUpdater, IsLeftInOrderWhenItIsStopped) {
+  OccupancyGrid grid = noise_grid(80, -0.2, 4);
+  RoadUpdater updater({});
+  Random random(4);
+  updater.full(grid);
+  for (int calls = 0; calls < 12; ++calls) {
+    const CellWindow window = change_at_random(grid, 20, ChangeKind::kRoadIsCut, random);
+    int left = calls;
+    try {
+      updater.update(grid, window, [&] {
+        if (left-- == 0) throw Cancelled();
+      });
+    } catch (const Cancelled&) {
+    }
+    EXPECT_EQ(digest_of(updater.update(grid, window)), digest_of(extract_roads(grid, {})));
+  }
+}
+
+OccupancyGrid with_window(OccupancyGrid grid, const CellWindow& window, std::uint64_t since) {
+  grid.changed = ChangedWindow{window.column, window.row, window.width, window.height, since};
+  return grid;
+}
+
+// What a stage remembers makes it faster, never different: also if items refer to others than the
+// last one, or say nothing of what changed.
+TEST(RoadStages, RememberWhatDidNotChange) {
+  for (const StageEntry* entry :
+       {stope_stage_Watershed(), stope_stage_Voronoi(), stope_stage_Skeleton()}) {
+    testing::StageHarness stage(entry);
+    stage.set("min_branch", 8.0).set("allow_empty", true);
+    OccupancyGrid grid = noise_grid(90, -0.2, 5);
+    Random random(5);
+    for (std::uint64_t item = 0; item < 14; ++item) {
+      const auto kind = static_cast<ChangeKind>(item % kChangeKinds);
+      const CellWindow window = change_at_random(grid, 25, kind, random);
+      OccupancyGrid seen = grid;
+      if (item > 0 && item % 5 != 4) seen = with_window(grid, window, item - 1);
+      if (item == 7) seen.changed->since = 3, seen.changed->width = 0;  // of an item forgotten
+      stage.context().item = item;
+      const auto roads = stage.input("grid", seen).apply<RoadGraph>();
+      testing::StageHarness fresh(entry);
+      fresh.set("min_branch", 8.0).set("allow_empty", true);
+      EXPECT_EQ(digest_of(roads), digest_of(fresh.input("grid", grid).apply<RoadGraph>()))
+          << stage.info().id << ", item " << item;
+    }
+  }
 }
 
 }  // namespace
