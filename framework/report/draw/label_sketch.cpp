@@ -59,27 +59,4 @@ Sketch sketch_of(const LabelGrid& grid) {
   return sketch;
 }
 
-Sketch sketch_of(const RegionMap& map) {
-  Sketch sketch;
-  sketch.kind = "Regions";
-  const std::size_t pairs = map.adjacency.size() / 2;
-  sketch.caption = fmt::format("{}, {}", count_text(map.regions.size(), "region", "regions"),
-                               count_text(pairs, "neighbouring pair", "neighbouring pairs"));
-  if (is_whole(map.labels)) sketch.raster = label_raster(map.labels);
-  for (std::size_t i = 0; i < pairs; ++i) {
-    const std::size_t from = map.adjacency[2 * i], to = map.adjacency[2 * i + 1];
-    if (from >= map.regions.size() || to >= map.regions.size()) continue;
-    const Region &a = map.regions[from], &b = map.regions[to];
-    sketch.strokes.push_back({"link", {{a.x, a.y}, {b.x, b.y}}, false, ""});
-  }
-  for (std::size_t i = 0; i < map.regions.size(); ++i) {
-    const Region& region = map.regions[i];
-    const std::string meaning = i < map.semantics.size() ? map.semantics[i] + ", " : "";
-    sketch.marks.push_back({"region",
-                            {region.x, region.y},
-                            fmt::format("{}{} m²", meaning, number_text(region.area))});
-  }
-  return sketch;
-}
-
 }  // namespace stope::report

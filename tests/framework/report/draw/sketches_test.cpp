@@ -150,6 +150,70 @@ TEST(PointSketch, CoversThePointsAndPassesOverWhatIsNotFinite) {
   EXPECT_NEAR(frame.height * frame.resolution, 49, 5);
 }
 
+// Rooms of 4 x 4 cells, one column of walls between them.
+RegionMap rooms(int columns, int rows) {
+  RegionMap map;
+  map.labels.frame.width = columns * 5;
+  map.labels.frame.height = rows * 5;
+  map.labels.cells.assign(map.labels.frame.size(), 0);
+  for (int i = 0; i < columns * rows; ++i) {
+    const int column = i % columns, row = i / columns;
+    Region region;
+    region.id = static_cast<std::uint64_t>(i) + 1;
+    region.x = 5 * column + 2, region.y = 5 * row + 2.5, region.area = 20;
+    map.regions.push_back(region);
+    for (int y = 0; y < 5; ++y) {
+      for (int x = 0; x < 4; ++x)
+        map.labels.cells[map.labels.frame.place({5 * column + x, 5 * row + y})] = i + 1;
+    }
+    // Neighbours through the wall; those above and below touch.
+    if (column > 0) {
+      map.adjacency.push_back(static_cast<std::uint32_t>(i - 1));
+      map.adjacency.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return map;
+}
+
+TEST(RegionSketch, NeighboursDifferInColourAndHaveOutlines) {
+  const RegionMap map = rooms(6, 4);
+  const Sketch sketch = sketch_of(map);
+  EXPECT_EQ(sketch.caption, "24 regions, 20 neighbouring pairs, 480 m²");
+  ASSERT_TRUE(sketch.raster);
+  const Picture& picture = sketch.raster->picture;
+  ASSERT_EQ(picture.width, 30 * 8);
+  // The middle of a cell, and the side of a square at a region's border.
+  const auto cell = [&](int column, int row) {
+    return picture.at(8 * column + 4, 8 * (20 - 1 - row) + 4);
+  };
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 6; ++column) {
+      const Colour own = cell(5 * column + 1, 5 * row + 2);
+      if (column > 0) {
+        EXPECT_NE(own, cell(5 * column - 3, 5 * row + 2));
+      }
+      if (row > 0) {
+        EXPECT_NE(own, cell(5 * column + 1, 5 * row - 3));
+      }
+      const Colour border = picture.at(8 * 5 * column, 8 * (20 - 1 - (5 * row + 2)) + 4);
+      EXPECT_LT(border[0] + border[1] + border[2], own[0] + own[1] + own[2]);
+      EXPECT_EQ(cell(5 * column + 4, 5 * row + 2)[3], 0);  // the wall
+    }
+  }
+  EXPECT_EQ(sketch.marks.size(), 24U);
+  EXPECT_EQ(sketch.strokes.size(), 20U);
+}
+
+TEST(RegionSketch, BearsManyRegionsAndPairsThatPointNowhere) {
+  RegionMap map = rooms(400, 300);
+  map.adjacency.insert(map.adjacency.end(), {7, 4'000'000'000U, 120'000, 3});
+  map.labels.cells[0] = 2'000'000'000;
+  map.labels.cells[1] = -5;
+  const Sketch sketch = sketch_of(map);
+  EXPECT_EQ(sketch.raster->picture.width, kLongestSide);
+  EXPECT_EQ(sketch.marks.size(), 120'000U);
+}
+
 TEST(SketchTable, DrawsEveryPictureTypeAndNoOther) {
   EXPECT_TRUE(sketch_function(OccupancyGrid::kType));
   EXPECT_TRUE(sketch_function(RoadGraph::kType));
