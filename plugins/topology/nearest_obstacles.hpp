@@ -48,7 +48,7 @@ class BandSweep {
   explicit BandSweep(const FreeSpace& space)
       : space_(space),
         stride_(space.stride()),
-        envelope_(space.stride()),
+        memory_(RowEnvelope::memory_for(space.stride())),
         below_(static_cast<std::size_t>(stride_)),
         left_(static_cast<std::size_t>(stride_)) {}
 
@@ -106,11 +106,12 @@ class BandSweep {
       Site* left = above_.data() + used;
       for_each_free_run(space_, row, [&](std::int32_t begin, std::int32_t after) {
         const std::int32_t before = begin - 1;
-        envelope_.start(row, before, row);
+        RowEnvelope envelope(memory_, row, before, row);
         site = visit_between(before, after, site, bits(row + 1), row + 1,
-                             [&](Site next) { envelope_.add(next.column, next.row); });
-        envelope_.add(after, row);
-        for (const auto* piece = envelope_.begin() + 1; piece + 1 < envelope_.end(); ++piece)
+                             [&](Site next) { envelope.add(next.column, next.row); });
+        envelope.add(after, row);
+        for (const auto *piece = envelope.begin() + 1, *end = envelope.end() - 1; piece < end;
+             ++piece)
           *left++ = {piece->column, piece->site_row};
       });
       *left++ = kNoSite;
@@ -128,21 +129,22 @@ class BandSweep {
       Site* left = left_.data();
       for_each_free_run(space_, row, [&](std::int32_t begin, std::int32_t after) {
         const std::int32_t before = begin - 1;
-        envelope_.start(row, before, row);
+        RowEnvelope envelope(memory_, row, before, row);
         site = visit_between(before, after, site, bits(row - 1), row - 1, [&](Site next) {
-          for (; above->column < next.column; ++above) envelope_.add(above->column, above->row);
+          for (; above->column < next.column; ++above) envelope.add(above->column, above->row);
           if (above->column == next.column) {
             if (above->row - row < row - next.row) next.row = above->row;
             ++above;
           }
-          envelope_.add(next.column, next.row);
+          envelope.add(next.column, next.row);
         });
-        for (; above->column < after; ++above) envelope_.add(above->column, above->row);
-        envelope_.add(after, row);
-        envelope_.for_each_piece(begin, after, [&](auto from, auto to, auto column, auto site_row) {
+        for (; above->column < after; ++above) envelope.add(above->column, above->row);
+        envelope.add(after, row);
+        envelope.for_each_piece(begin, after, [&](auto from, auto to, auto column, auto site_row) {
           write(row, begin, from, to, column, site_row);
         });
-        for (const auto* piece = envelope_.begin() + 1; piece + 1 < envelope_.end(); ++piece) {
+        for (const auto *piece = envelope.begin() + 1, *end = envelope.end() - 1; piece < end;
+             ++piece) {
           *left = {piece->column, piece->site_row};
           left += piece->site_row < row;
         }
@@ -154,7 +156,7 @@ class BandSweep {
 
   const FreeSpace& space_;
   std::int32_t stride_;
-  RowEnvelope envelope_;
+  std::vector<RowEnvelope::Piece> memory_;
   std::vector<Site> below_, left_;  ///< of the row before and of this one
   std::vector<Site> above_;         ///< of all rows of the band, one after the other
   std::vector<std::size_t> above_begin_;

@@ -27,43 +27,46 @@ class RowEnvelope {
     std::int32_t apart = 0;  ///< columns from its predecessor
   };
 
-  /// For at most `columns` obstacle cells a row.
-  explicit RowEnvelope(std::int32_t columns) : pieces_(static_cast<std::size_t>(columns) + 1) {}
+  /// Memory for the envelope of a row of at most `columns` obstacle cells.
+  static std::vector<Piece> memory_for(std::int32_t columns) {
+    return std::vector<Piece>(static_cast<std::size_t>(columns) + 1);
+  }
 
-  /// The first obstacle cell of a row, the westernmost.
-  void start(std::int32_t row, std::int32_t column, std::int32_t site_row) {
-    row_ = row;
-    last_ = pieces_.data();
+  /// Of a row, in memory that outlives it, with the first obstacle cell, the westernmost.
+  RowEnvelope(std::vector<Piece>& memory, std::int32_t row, std::int32_t column,
+              std::int32_t site_row)
+      : first_(memory.data()), end_(first_), row_(row) {
     // Nothing is before it: so it is never covered, and begins where the row does.
-    *last_ = {level_of(column, site_row), -1, column, site_row, 0};
+    last_ = {level_of(column, site_row), -1, column, site_row, 0};
   }
 
   /// Adds an obstacle cell east of those added before.
   void add(std::int32_t column, std::int32_t site_row) {
     const std::int64_t level = level_of(column, site_row);
-    Piece* last = last_;
-    std::int64_t rise = level - last->level;
-    std::int64_t apart = column - last->column;
+    std::int64_t rise = level - last_.level;
+    std::int64_t apart = column - last_.column;
     // Nowhere lower than both its predecessor and the parabola further east.
-    while (last->rise * apart >= rise * last->apart) {
-      --last;
-      rise = level - last->level;
-      apart = column - last->column;
+    while (last_.rise * apart >= rise * last_.apart) {
+      last_ = *--end_;
+      rise = level - last_.level;
+      apart = column - last_.column;
     }
-    *++last = {level, rise, column, site_row, static_cast<std::int32_t>(apart)};
-    last_ = last;
+    *end_++ = last_;
+    last_ = {level, rise, column, site_row, static_cast<std::int32_t>(apart)};
   }
 
-  /// The obstacle cells that are left, from west to east.
-  const Piece* begin() const { return pieces_.data(); }
-  const Piece* end() const { return last_ + 1; }
-
+  /// The obstacle cells that are left, from west to east, when all have been added.
+  const Piece* begin() const { return first_; }
+  const Piece* end() {
+    *end_ = last_;
+    return end_ + 1;
+  }
   /// Calls write(begin, end, column, site_row) for each obstacle cell that is nearest to the cells
   /// of columns from `begin` to before `end`, within `from` to before `to`, from east to west.
   template <class Write>
-  void for_each_piece(std::int32_t from, std::int32_t to, Write write) const {
+  void for_each_piece(std::int32_t from, std::int32_t to, Write write) {
     std::int32_t end = to;
-    for (const Piece* piece = last_; end > from; --piece) {
+    for (const Piece* piece = this->end() - 1; end > from; --piece) {
       const std::int32_t begin = std::clamp(begin_of(*piece), from, end);
       if (begin == end) continue;
       write(begin, end, piece->column, piece->site_row);
@@ -88,9 +91,10 @@ class RowEnvelope {
     return static_cast<std::int32_t>(std::min<std::int64_t>(piece.rise / twice, INT32_MAX - 1)) + 1;
   }
 
-  std::vector<Piece> pieces_;
-  Piece* last_ = nullptr;
-  std::int32_t row_ = 0;
+  Piece* first_;
+  Piece* end_;  ///< of the pieces before the last one, which is kept in registers
+  Piece last_;
+  std::int32_t row_;
 };
 
 }  // namespace stope::topology

@@ -52,7 +52,7 @@ std::vector<StaleSpan> find_stale_spans(const CellWindow& window,
 
 void update_nearest_outline(const std::vector<StaleSpan>& spans, const ColumnReach& reach,
                             const FreeSpace& space, const Outlines& outlines, EdgeGrid& edges) {
-  RowEnvelope envelope(space.stride());
+  auto memory = RowEnvelope::memory_for(space.stride());
   for (const StaleSpan& span : spans) {
     const std::int32_t row = span.cells.row;
     const auto is_free = [&](std::int32_t column) {
@@ -68,7 +68,7 @@ void update_nearest_outline(const std::vector<StaleSpan>& spans, const ColumnRea
       // An obstacle beside the run hides all beyond it.
       const std::int32_t first = is_free(begin - 1) ? span.first_column : begin - 1;
       const std::int32_t last = is_free(end) ? span.last_column : end;
-      envelope.start(row, first, reach.nearest_row(space.index(first, row), row));
+      RowEnvelope envelope(memory, row, first, reach.nearest_row(space.index(first, row), row));
       for (std::int32_t column = first + 1; column <= last; ++column)
         envelope.add(column, reach.nearest_row(space.index(column, row), row));
       envelope.for_each_piece(begin, end, [&](auto from, auto to, auto column, auto site_row) {
