@@ -8,6 +8,7 @@
 #include "plugins/metric/check_graph.hpp"
 #include "plugins/metric/geodesics.hpp"
 #include "plugins/metric/measure_list.hpp"
+#include "plugins/metric/nearest_obstacle.hpp"
 #include "plugins/metric/path_similarity.hpp"
 #include "plugins/metric/percentile.hpp"
 #include "stope/stope.hpp"
@@ -34,6 +35,20 @@ class PlacesOnRoads {
   std::vector<double> ends_;
 };
 
+// Takes the cells from free space that are nearer to an obstacle's edge than `clearance` metres, by
+// their centres.
+void keep_away(FreeCells& cells, double clearance) {
+  const NearestObstacle nearest(cells);
+  const double least = clearance / cells.frame.resolution + 0.5;
+  for (std::int32_t row = 0; row < cells.frame.height; ++row) {
+    for (std::int32_t column = 0; column < cells.frame.width; ++column) {
+      const Cell seen = nearest.of({column, row});
+      if (std::hypot(seen.column - column, seen.row - row) < least)
+        cells.free[cells.frame.place({column, row})] = 0;
+    }
+  }
+}
+
 }  // namespace
 
 class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
@@ -42,6 +57,7 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
     std::int64_t pairs = 200;
     double min_distance = 20;
     std::string between = "roads";
+    double min_clearance = 0;
   } params;
 
   static void describe(About<Detour>& about) {
@@ -59,13 +75,17 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
         .param("min_distance", &Params::min_distance, "m", more_than(0.0),
                "Pairs whose geodesic is shorter are drawn again.")
         .param("between", &Params::between, one_of({"roads", "free"}),
-               "Where the places lie: on the graph, or anywhere in free space.");
+               "Where the places lie: on the graph, or anywhere in free space.")
+        .param("min_clearance", &Params::min_clearance, "m", at_least(0.0),
+               "How far geodesics stay from obstacles, such as half a truck's width; 0: they graze "
+               "them.");
     describe_free_rule(about);
   }
 
   Measures apply(const RoadGraph& roads, const OccupancyGrid& grid, Context& context) const {
     check_graph(roads, "roads");
-    const FreeCells cells = free_cells(grid, params);
+    FreeCells cells = free_cells(grid, params);
+    if (params.min_clearance > 0) keep_away(cells, params.min_clearance);
     MeasuredGraph graph(roads);
     Result result;
     if (graph.lines.total_length() > 0) {
@@ -82,10 +102,12 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
                       "{:.1f})",
                       worst, result.from.x(), result.from.y(), result.to.x(), result.to.y()));
     return MeasureList(
-               fmt::format("{} random pairs between {}, geodesics of at least {} m, any angle; {} "
-                           "measured, {} not joined by the graph, {} places off free space",
-                           params.pairs, params.between, params.min_distance, result.detours.size(),
-                           result.apart, result.off_free))
+               fmt::format(
+                   "{} random pairs between {}, geodesics of at least {} m, any angle, {} m "
+                   "from obstacles; {} measured, {} not joined by the graph, {} with a "
+                   "place off free space",
+                   params.pairs, params.between, params.min_distance, params.min_clearance,
+                   result.detours.size(), result.apart, result.off_free))
         .add("detour_p50", percentile(result.detours, 0.5))
         .add("detour_p95", percentile(result.detours, 0.95))
         .add("detour_max", worst)

@@ -26,6 +26,8 @@ std::vector<Shipped> pipelines(const TemporaryFolder& folder) {
   write_file(recording / "scans_third/000000.bin", std::string(16, '\0'));
   const auto map = write_ring_map(folder.path());
   return {{"pipelines/quickstart.yaml", {}},
+          {"pipelines/measure/true_grid.yaml", {}},
+          {"pipelines/measure/mapped_grid.yaml", {}},
           {"pipelines/haul_roads/from_map.yaml", {"--set", "vars.map=" + map.string()}},
           {"pipelines/haul_roads/prior.yaml", {"--set", "vars.recording=" + recording.string()}}};
 }

@@ -162,6 +162,23 @@ TEST(Detour, PairsThatTheGraphDoesNotJoinAreAShareOfTheirOwn) {
   EXPECT_TRUE(std::isinf(value_of(stage.apply<Measures>(), "detour_p95")));
 }
 
+TEST(Detour, GeodesicsThatKeepAwayAreLonger) {
+  // A corridor of 6 m round a square. Ways that stay 2.5 m away turn on arcs, not at its corners.
+  OccupancyGrid grid = walled(220, 220, 0.1);
+  for (int row = 61; row < 159; ++row)
+    for (int column = 61; column < 159; ++column)
+      grid.cells[grid.frame.place({column, row})] = OccupancyGrid::kOccupied;
+  stope::testing::StageHarness stage(stope_stage_Detour());
+  stage.input("grid", grid).set("min_distance", 5.0);
+  stage.input("roads",
+              draw_roads({{{3.1, 3.1}, {18.9, 3.1}, {18.9, 18.9}, {3.1, 18.9}, {3.1, 3.1}}}));
+  const double grazing = value_of(stage.apply<Measures>(), "detour_p95");
+  stage.set("min_clearance", 2.5);
+  EXPECT_LT(value_of(stage.apply<Measures>(), "detour_p95"), grazing - 0.05);
+  stage.set("min_clearance", 3.5);  // nothing is that far from all walls
+  EXPECT_EQ(value_of(stage.apply<Measures>(), "detour_unreachable"), 1);
+}
+
 TEST(Detour, TheSameSeedDrawsTheSamePairs) {
   stope::testing::StageHarness stage(stope_stage_Detour());
   Random random(1);
