@@ -36,14 +36,28 @@ TEST(RoadAccuracy, ALineTooFarAsideIsWrongThoughOnTheRoad) {
 
 class OnSyntheticPits : public ::testing::TestWithParam<int> {};
 
-TEST_P(OnSyntheticPits, VoronoiFollowsTheTrueCentreLinesAndFindsTheDeadEnds) {
+TEST_P(OnSyntheticPits, TheTrueCentreLinesAndDeadEndsAreFound) {
   const SyntheticRoads pit = synthetic_roads(500, static_cast<std::uint64_t>(GetParam()));
-  const RoadAccuracy accuracy =
-      measure_roads(extract_roads(pit.grid, Extractor::kVoronoi), pit.roads);
-  EXPECT_GE(accuracy.correctness(), 0.95);
-  EXPECT_GE(accuracy.completeness(), 0.95);
-  EXPECT_GE(accuracy.dead_end_recall(), 0.98);
-  EXPECT_EQ(accuracy.cycles, accuracy.true_cycles);
+  for (const auto& [name, extractor] : kWithDeadEnds) {
+    const RoadAccuracy accuracy = measure_roads(extract_roads(pit.grid, extractor), pit.roads);
+    EXPECT_GE(accuracy.correctness(), 0.98) << name;
+    EXPECT_GE(accuracy.completeness(), 0.98) << name;
+    EXPECT_GE(accuracy.dead_end_recall(), 0.98) << name;
+    EXPECT_EQ(accuracy.spurs, 0U) << name;
+    EXPECT_EQ(accuracy.cycles, accuracy.true_cycles) << name;
+  }
+}
+
+TEST_P(OnSyntheticPits, FreshlyDugFacesMakeNoRoadsAndHideNone) {
+  for (const double rough : {0.0, 1.5, 3.0}) {
+    const SyntheticRoads pit = synthetic_roads(500, static_cast<std::uint64_t>(GetParam()), rough);
+    for (const auto& [name, extractor] : kWithDeadEnds) {
+      const RoadAccuracy accuracy = measure_roads(extract_roads(pit.grid, extractor), pit.roads);
+      EXPECT_EQ(accuracy.dead_ends_found, accuracy.dead_ends) << name << ", rough " << rough;
+      EXPECT_EQ(accuracy.spurs, 0U) << name << ", rough " << rough;
+      EXPECT_EQ(accuracy.cycles, accuracy.true_cycles) << name << ", rough " << rough;
+    }
+  }
 }
 
 TEST_P(OnSyntheticPits, WatershedFollowsTheTrueCentreLinesOfItsLoops) {

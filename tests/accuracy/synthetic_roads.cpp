@@ -8,6 +8,7 @@ extern "C" const stope::StageEntry* stope_stage_HeightDifference();
 extern "C" const stope::StageEntry* stope_stage_TrajectoryDilation();
 extern "C" const stope::StageEntry* stope_stage_Maximum();
 extern "C" const stope::StageEntry* stope_stage_Voronoi();
+extern "C" const stope::StageEntry* stope_stage_Skeleton();
 extern "C" const stope::StageEntry* stope_stage_Watershed();
 
 namespace stope::testing {
@@ -38,11 +39,12 @@ OccupancyGrid mapped_grid(MemoryInput<LidarScan>& scans, const Trajectory& traje
 
 }  // namespace
 
-SyntheticRoads synthetic_roads(double size, std::uint64_t seed) {
+SyntheticRoads synthetic_roads(double size, std::uint64_t seed, std::optional<double> rough) {
   StageHarness pit(stope_stage_SyntheticPit());
   pit.context().reseed(seed);
   MemoryOutput<OccupancyGrid> grid;
   MemoryOutput<RoadGraph> roads;
+  if (rough) pit.set("rough", *rough);
   pit.set("size", size).connect_output("truth_grid", grid).connect_output("truth_roads", roads);
   pit.run();
   return {*grid.items.at(0).value, *roads.items.at(0).value};
@@ -65,10 +67,14 @@ SyntheticRoads mapped_roads(std::uint64_t seed) {
 }
 
 RoadGraph extract_roads(const OccupancyGrid& grid, Extractor extractor) {
-  return StageHarness(extractor == Extractor::kVoronoi ? stope_stage_Voronoi()
-                                                       : stope_stage_Watershed())
-      .input("grid", grid)
-      .apply<RoadGraph>();
+  const bool watershed =
+      extractor == Extractor::kWatershed || extractor == Extractor::kWatershedOfParts;
+  StageHarness stage(extractor == Extractor::kVoronoi ? stope_stage_Voronoi()
+                     : watershed                      ? stope_stage_Watershed()
+                                                      : stope_stage_Skeleton());
+  if (extractor == Extractor::kSkeletonByLambda) stage.set("pruning", std::string("lambda"));
+  if (extractor == Extractor::kWatershedOfParts) stage.set("sites", std::string("outline_parts"));
+  return stage.input("grid", grid).apply<RoadGraph>();
 }
 
 }  // namespace stope::testing

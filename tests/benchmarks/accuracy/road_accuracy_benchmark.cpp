@@ -1,6 +1,7 @@
-// Road graphs of synthetic pits held against the pits' true road graphs: watershed and Voronoi, on
-// the true drivable grid.
+// Road graphs of synthetic pits held against the pits' true road graphs: every extractor, on the
+// true drivable grid and on mapped ones.
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,10 @@ void print(const char* what, const RoadAccuracy& a) {
 int main() {
   // Smaller pits have no room for three benches; larger ones take long to plan.
   const std::vector<double> sizes{500, 800};
-  for (const Extractor extractor : {Extractor::kVoronoi, Extractor::kWatershed}) {
-    const std::string name = extractor == Extractor::kVoronoi ? "voronoi" : "watershed";
+  std::vector<NamedExtractor> extractors(std::begin(kWithDeadEnds), std::end(kWithDeadEnds));
+  extractors.push_back({"watershed", Extractor::kWatershed});
+  for (const auto& [extractor_name, extractor] : extractors) {
+    const std::string name = extractor_name;
     RoadAccuracy sum, mapped_sum;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       for (const double size : sizes) {
