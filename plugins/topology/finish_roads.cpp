@@ -12,6 +12,7 @@ RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGri
                        const std::vector<const TracedLine*>& lines, const ExtractionMethod& method,
                        const GridFrame& frame, RoadMemo* memo, const Checkpoint& checkpoint) {
   constexpr double kJunctionShare = 1.5;
+  constexpr double kSmoothingShare = 0.4;
   LineNetwork network = method.branching()
                             ? connect_pieces(space, outlines, edges, lines, checkpoint)
                             : to_network(lines);
@@ -26,9 +27,11 @@ RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGri
   checkpoint();
   merge_junctions(network, kJunctionShare);
   checkpoint();
-  straighten_junctions(network);
-  return to_road_graph(network, outlines, edges, space, frame, method.params.simplify, checkpoint,
-                       memo);
+  // A skeleton stays on the medial axis, also where that bends into every opening.
+  const bool exact = method.kind == ExtractionMethod::Kind::kSkeleton;
+  if (!exact) straighten_junctions(network);
+  return to_road_graph(network, outlines, edges, space, frame,
+                       {method.params.simplify, exact ? 0.0 : kSmoothingShare}, checkpoint, memo);
 }
 
 }  // namespace stope::topology

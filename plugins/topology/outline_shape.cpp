@@ -79,7 +79,7 @@ void mark_turns(const std::vector<std::int64_t>& heading, std::int64_t all_round
 }  // namespace
 
 OutlineWays measure_ways(const Outlines& outlines, const std::vector<std::uint8_t>* known_sides) {
-  constexpr std::int64_t kReach = 4;
+  constexpr std::int64_t kReach = 2;
   constexpr std::array<int, 4> kEastward{0, -1, 0, 1}, kNorthward{1, 0, -1, 0};  // by Side
   const std::vector<std::uint8_t> sides = known_sides ? *known_sides : sides_of_edges(outlines);
   OutlineWays ways;

@@ -23,8 +23,8 @@ struct OutlineWays {
   }
 };
 
-/// Measures outlines: the way past an edge is the length of the chord of nine edges around it,
-/// divided by nine. Straight walls of any direction come out within 2 %; each edge's share depends
+/// Measures outlines: the way past an edge is the length of the chord of five edges around it,
+/// divided by five. Straight walls of any direction come out within 2 %; each edge's share depends
 /// on its neighbourhood alone. Cost: linear in the outlines' length.
 /// `sides` of the edges, if they are not taken from the outlines.
 OutlineWays measure_ways(const Outlines& outlines,

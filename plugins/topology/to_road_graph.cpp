@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kNoElevation = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSmoothingReach = 3.0;  // cells
-constexpr double kSmoothingShare = 0.4;  // of the distance to the obstacle
 
 /// The clearance that half of the line's length has at most, in cells: junctions, where more room
 /// is, and pinches do not sway it.
@@ -73,7 +72,7 @@ RoadVertex to_vertex(const LinePoint& point, const GridFrame& frame) {
 }  // namespace
 
 RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
-                        const FreeSpace& space, const GridFrame& frame, double tolerance,
+                        const FreeSpace& space, const GridFrame& frame, const LineStyle& style,
                         const Checkpoint& checkpoint, RoadMemo* memo) {
   const DistanceField field(outlines, edges, space);
   RoadGraph graph;
@@ -82,10 +81,10 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
     graph.nodes.push_back({0, vertex.x, vertex.y, vertex.z});
   }
   const auto finish = [&](const std::vector<LinePoint>& points) {
-    std::vector<LinePoint> smooth = smooth_line(points, kSmoothingReach, kSmoothingShare);
+    std::vector<LinePoint> smooth = smooth_line(points, kSmoothingReach, style.smoothing);
     for (LinePoint& point : smooth) point.distance = field.at(point);
     FinishedRoad road;
-    for (const LinePoint& point : simplify_line(smooth, tolerance / frame.resolution))
+    for (const LinePoint& point : simplify_line(smooth, style.tolerance / frame.resolution))
       road.vertices.push_back(to_vertex(point, frame));
     road.width = 2 * median_clearance(smooth) * frame.resolution;
     return memo ? memo->add(points, std::move(road), smooth) : road;

@@ -8,12 +8,18 @@
 
 namespace stope::topology {
 
-/// Brings centre lines into the map frame, smoothed and simplified with a tolerance in metres, as a
+/// How centre lines become polylines.
+struct LineStyle {
+  double tolerance = 0.2;  ///< metres that a polyline may be off its smoothed line
+  double smoothing = 0.4;  ///< reach of the smoothing as a share of the clearance, at least 3 cells
+};
+
+/// Brings centre lines into the map frame, smoothed and simplified, as a
 /// canonical road graph. Clearance is measured to the obstacle's edge, taken half a cell before its
 /// centre; an edge's width is twice the median clearance along it. `memo`, if given, knows roads
 /// that are finished already.
 RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
-                        const FreeSpace& space, const GridFrame& frame, double tolerance,
+                        const FreeSpace& space, const GridFrame& frame, const LineStyle& style,
                         const Checkpoint& checkpoint = never_stop, RoadMemo* memo = nullptr);
 
 }  // namespace stope::topology

@@ -147,7 +147,8 @@ TEST(MedialAxis, ByChordResidualBeginsWhereTheWayRoundTheCornerIsThatMuchLonger)
         return SideRule::by_residual(outlines, ways, kResidual / 0.5);
       });
       const double half = opening / 2;
-      // The way is smoothed over nine cells, which cuts a sharp corner by some of them.
+      // The way is smoothed over five cells, which cuts a sharp corner by some of them, and runs
+      // through the centres of cells half a cell behind the walls.
       EXPECT_NEAR(start, kResidual / (2 * std::cos(half) * (1 - std::sin(half))), 3.5)
           << opening << ", turned by " << turn;
     }
