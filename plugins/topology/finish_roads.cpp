@@ -25,10 +25,11 @@ RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGri
     prune_spurs(network,
                 {method.branches.min_branch / frame.resolution, method.branches.min_branch_share});
   checkpoint();
-  merge_junctions(network, kJunctionShare);
-  checkpoint();
-  // A skeleton stays on the medial axis, also where that bends into every opening.
+  // A skeleton stays on the medial axis, also where that bends into every opening; but two lines
+  // from one joined junction must not run side by side.
   const bool exact = method.kind == ExtractionMethod::Kind::kSkeleton;
+  merge_junctions(network, kJunctionShare, exact);
+  checkpoint();
   if (!exact) straighten_junctions(network);
   return to_road_graph(network, outlines, edges, space, frame,
                        {method.params.simplify, exact ? 0.0 : kSmoothingShare}, checkpoint, memo);

@@ -12,8 +12,8 @@ std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
 
 class JunctionMerger {
  public:
-  JunctionMerger(LineNetwork& network, double share)
-      : network_(network), share_(share), at_nodes_(network.lines_at_nodes()) {}
+  JunctionMerger(LineNetwork& network, double share, bool to_rim)
+      : network_(network), share_(share), to_rim_(to_rim), at_nodes_(network.lines_at_nodes()) {}
 
   void run() {
     for (std::size_t i = 0; i < network_.lines.size(); ++i) offer(static_cast<std::int32_t>(i));
@@ -52,8 +52,9 @@ class JunctionMerger {
     const Line line = network_.lines[at(name)];
     network_.lines[at(name)].points.clear();
     const LinePoint middle = middle_of(line);
-    const double reach = std::max(distance_between(middle, line.points.front()),
-                                  distance_between(middle, line.points.back()));
+    const double reach =
+        std::max({distance_between(middle, line.points.front()),
+                  distance_between(middle, line.points.back()), to_rim_ ? middle.distance : 0.0});
     std::vector<std::int32_t> around;
     for (const std::int32_t node : {line.from, line.to})
       for (const std::int32_t other : at_nodes_[at(node)])
@@ -106,12 +107,15 @@ class JunctionMerger {
 
   LineNetwork& network_;
   double share_;
+  bool to_rim_;
   std::vector<std::vector<std::int32_t>> at_nodes_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 
 }  // namespace
 
-void merge_junctions(LineNetwork& network, double share) { JunctionMerger(network, share).run(); }
+void merge_junctions(LineNetwork& network, double share, bool to_rim) {
+  JunctionMerger(network, share, to_rim).run();
+}
 
 }  // namespace stope::topology

@@ -172,17 +172,17 @@ TEST(Accuracy, SkeletonStaysOnTheMedialAxisUpToItsJunctions) {
     const RoadGraph roads = skeleton_roads(grid, params, {}, {});
     const auto junctions = junctions_of(roads);
     std::size_t looked_at = 0;
-    for (std::size_t i = 0; i < roads.vertices.size(); i += 3) {
+    for (std::size_t i = 0; i < roads.vertices.size(); i += 2) {
       const RoadVertex& vertex = roads.vertices[i];
       if (std::any_of(junctions.begin(), junctions.end(), [&](const RoadNode& node) {
-            return std::hypot(node.x - vertex.x, node.y - vertex.y) < network.half_width;
+            return std::hypot(node.x - vertex.x, node.y - vertex.y) < 1.5 * network.half_width;
           }))
         continue;
       ++looked_at;
       EXPECT_LE(off_medial_axis(grid, {vertex.x, vertex.y}), 1.5 * kResolution)
           << network.name << " at " << vertex.x << ", " << vertex.y;
     }
-    EXPECT_GT(looked_at, 5U) << network.name;
+    EXPECT_GT(looked_at, 4U) << network.name;
   }
 }
 
