@@ -28,11 +28,22 @@ class PieceConnector {
     // Outlines on both sides of a line bound the same piece of free space.
     for (const TracedLine* line : lines_)
       pieces_.join(outline_of(line->sides[0]), outline_of(line->sides[1]));
-    const std::vector<std::int32_t> torn = torn_pieces(lines_);
-    const std::vector<const TracedLine*> whole = torn.empty() ? lines_ : without_fragments(lines_);
+    Groups groups(lines_);
+    for (std::size_t i = 0; i < lines_.size(); ++i) groups.add(i, *lines_[i], piece_of(*lines_[i]));
+    const std::vector<std::int32_t> torn = torn_pieces(groups);
+    if (!torn.empty()) leave_out_fragments(groups);
     LineNetwork network;
-    if (torn_pieces(whole).empty()) {
-      network = to_network(whole);
+    if (torn.empty() || torn_pieces(groups).empty()) {
+      std::vector<const TracedLine*> kept;
+      for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (!groups.left_out[groups.of_line(i)]) {
+          kept.push_back(lines_[i]);
+        } else {
+          groups.ends.of_line[i].first = kLeftOut;
+        }
+      }
+      std::erase_if(groups.ends.of_line, [](const auto& ends) { return ends.first == kLeftOut; });
+      network = to_network(kept, groups.ends);
     } else {
       // A new trace brings fragments back, so they are linked as well.
       network = linked_within(torn);
@@ -47,19 +58,32 @@ class PieceConnector {
     std::int32_t piece = 0;
     std::vector<CellIndex> corners;
   };
-  /// Which lines hang together.
+  static constexpr std::int32_t kLeftOut = -1;
+  /// Which lines hang together. A group is named by its first node.
   struct Groups {
     explicit Groups(const std::vector<const TracedLine*>& lines)
-        : ends(lines), connected(ends.corner.size()), cyclic(ends.corner.size(), false) {
+        : ends(lines),
+          connected(ends.corner.size()),
+          piece(ends.corner.size(), -1),
+          points(ends.corner.size(), 0),
+          cyclic(ends.corner.size(), false),
+          left_out(ends.corner.size(), false) {
+      std::vector<std::int32_t> loops;
       for (const auto& [from, to] : ends.of_line)
         if (!connected.join(from, to)) loops.push_back(from);
       for (const std::int32_t node : loops) cyclic[at(connected.find(node))] = true;
     }
     std::size_t of_line(std::size_t line) { return at(connected.find(ends.of_line[line].first)); }
+    void add(std::size_t place, const TracedLine& line, std::int32_t piece_of_line) {
+      const std::size_t group = of_line(place);
+      piece[group] = piece_of_line;
+      points[group] += line.points.size();
+    }
     LineEnds ends;
     DisjointSets connected;
-    std::vector<std::int32_t> loops;
-    std::vector<bool> cyclic;  ///< by group
+    std::vector<std::int32_t> piece;  ///< by group, as what follows; -1: a node is not a group
+    std::vector<std::size_t> points;
+    std::vector<bool> cyclic, left_out;
   };
 
   static std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
@@ -73,39 +97,28 @@ class PieceConnector {
   /// Where sides are about as long as the bound, the raster lets lines flicker: bits of line
   /// shorter than it that end on both sides come to lie apart before a branch's tip. They are left
   /// out.
-  std::vector<const TracedLine*> without_fragments(const std::vector<const TracedLine*>& lines) {
-    Groups groups(lines);
-    const std::size_t count = groups.ends.corner.size();
-    std::vector<std::size_t> points(count, 0);
-    std::vector<std::int32_t> piece(count, -1), largest(outlines_.list.size(), -1);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      points[groups.of_line(i)] += lines[i]->points.size();
-      piece[groups.of_line(i)] = piece_of(*lines[i]);
+  void leave_out_fragments(Groups& groups) const {
+    std::vector<std::int32_t> largest(outlines_.list.size(), -1);
+    for (std::size_t group = 0; group < groups.piece.size(); ++group) {
+      if (groups.piece[group] < 0) continue;
+      auto& best = largest[at(groups.piece[group])];
+      if (best < 0 || groups.points[group] > groups.points[at(best)])
+        best = static_cast<std::int32_t>(group);
     }
-    for (std::size_t group = 0; group < count; ++group) {
-      if (piece[group] < 0) continue;
-      auto& best = largest[at(piece[group])];
-      if (best < 0 || points[group] > points[at(best)]) best = static_cast<std::int32_t>(group);
-    }
-    std::vector<const TracedLine*> kept;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const std::size_t group = groups.of_line(i);
-      if (at(largest[at(piece[group])]) == group || groups.cyclic[group] ||
-          points[group] > at(outlines_.gap))
-        kept.push_back(lines[i]);
-    }
-    return kept;
+    for (std::size_t group = 0; group < groups.piece.size(); ++group)
+      groups.left_out[group] = groups.piece[group] >= 0 &&
+                               at(largest[at(groups.piece[group])]) != group &&
+                               !groups.cyclic[group] && groups.points[group] <= at(outlines_.gap);
   }
 
-  std::vector<std::int32_t> torn_pieces(const std::vector<const TracedLine*>& lines) {
-    Groups groups(lines);
-    std::vector<std::int32_t> first(outlines_.list.size(), -1), torn;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const std::int32_t piece = piece_of(*lines[i]);
-      const auto group = static_cast<std::int32_t>(groups.of_line(i));
-      auto& known = first[at(piece)];
-      if (known < 0) known = group;
-      if (known != group) torn.push_back(piece);
+  /// Those whose lines are of more than one group.
+  std::vector<std::int32_t> torn_pieces(const Groups& groups) const {
+    std::vector<std::int32_t> torn;
+    std::vector<bool> seen(outlines_.list.size(), false);
+    for (std::size_t group = 0; group < groups.piece.size(); ++group) {
+      if (groups.piece[group] < 0 || groups.left_out[group]) continue;
+      if (seen[at(groups.piece[group])]) torn.push_back(groups.piece[group]);
+      seen[at(groups.piece[group])] = true;
     }
     std::sort(torn.begin(), torn.end());
     torn.erase(std::unique(torn.begin(), torn.end()), torn.end());

@@ -18,6 +18,10 @@ struct ExtractionMethod {
 
   /// Whether lines may end, so that they are connected and pruned.
   bool branching() const { return kind != Kind::kWatershed; }
+  /// Whether its rule looks at the places and sides of edges, not only at their numbers.
+  bool measures_outlines() const {
+    return kind == Kind::kSkeleton || kind == Kind::kWatershedParts;
+  }
   OccupancyRule occupancy() const {
     return {params.occupied_threshold, params.unknown_is_obstacle};
   }

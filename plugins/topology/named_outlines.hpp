@@ -18,12 +18,14 @@ struct NamedOutlines {
 
   NamedOutlines(const Outlines& outlines, const EdgeGrid& edges);
   std::vector<std::uint8_t> sides_by_number() const;
+  /// Sets by_number.place, which updates leave empty.
+  void place_by_number();
 };
 
 /// What a change of outlines means to cells that see edges of them.
 struct OutlineChange {
-  /// Names of all edges between which, along an outline, something may have changed within `reach`
-  /// edges, and of all new ones.
+  /// Names of the edges, new ones apart, that are within `reach` edges of a place where their
+  /// outline is another than before.
   std::vector<OutlineEdge> near;
   /// Whether edges that were of one outline are of two now, or the other way round.
   bool regrouped = false;

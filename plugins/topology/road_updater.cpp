@@ -73,6 +73,7 @@ struct RoadUpdater::State {
   TileSet stale, touched;
   LineStore store;
   RoadMemo memo;
+  RoadGraph roads;  ///< the last ones
   std::int64_t free_cells = 0;
   std::size_t names_at_first;
 };
@@ -111,20 +112,35 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
   }
   auto old = before.cbegin();
   for (const StaleSpan& span : spans) {
-    const OutlineEdge* row = edges.padded_row(span.cells.row) + 1;
+    const std::int32_t row = span.cells.row;
+    const OutlineEdge* now = edges.padded_row(row) + 1;
+    const std::uint8_t* bits = space.padded_row(row) + 1;
+    std::int32_t first = INT32_MAX, last = 0;  // of a run of cells that see something else now
+    const auto end_run = [&] {
+      if (first > last) return;
+      stale.add(first - 1, row - 1, last + 1, row + 1);
+      touched.add(first - 1, row - 1, last + 1, row + 1);
+      first = INT32_MAX;
+    };
     for (std::int32_t column = span.cells.begin; column < span.cells.end; ++column, ++old) {
-      if (*old == row[column] || (space[space.index(column, span.cells.row)] & kObstacle)) continue;
-      stale.add(column - 1, span.cells.row - 1, column + 1, span.cells.row + 1);
-      touched.add(column - 1, span.cells.row - 1, column + 1, span.cells.row + 1);
-      seen.add(row[column], column, column, span.cells.row);
+      if (*old == now[column] || (bits[column] & kObstacle)) continue;
+      if (column > last + TileSet::kSide) end_run();
+      if (first > column) first = column;
+      last = column;
+      seen.add(now[column], column, column, row);
     }
+    end_run();
   }
   if (rule_reach.everywhere || (rule_reach.by_regrouping && change.regrouped)) {
     stale.add_all();
   } else {
     seen.add_tiles(change.near, stale);
   }
-  const std::vector<std::uint8_t> sides = outlines.sides_by_number();
+  std::vector<std::uint8_t> sides;
+  if (method.measures_outlines()) {
+    sides = outlines.sides_by_number();
+    outlines.place_by_number();
+  }
   const DividingRule rule(method, frame, outlines.by_number, &sides);
   update_dividing_lines(space, outlines, rule.rule(), edges, stale, replacement, replaced, touched);
   for (const ReplacedEdge& cell : replaced)
@@ -167,6 +183,7 @@ RoadGraph RoadUpdater::finish(const Checkpoint& checkpoint) {
   RoadGraph roads =
       finish_roads(state->space, state->outlines.by_name, state->edges, state->store.list(),
                    method_, state->frame, &state->memo, checkpoint);
+  state->roads = roads;
   state_ = std::move(state);
   return roads;
 }
@@ -188,12 +205,10 @@ RoadGraph RoadUpdater::update(const OccupancyGrid& grid, const CellWindow& windo
   State& s = *state_;
   const std::vector<CellIndex> flipped = find_flipped_cells(
       grid, method_.occupancy(), method_.least_obstacle(grid.frame), inside, s.space, s.scratch);
-  s.touched.clear();
-  if (!flipped.empty()) {
-    std::unique_ptr<State> state = std::move(state_);
-    if (!state->update(method_, flipped)) return full(grid, checkpoint);
-    state_ = std::move(state);
-  }
+  if (flipped.empty()) return s.roads;
+  std::unique_ptr<State> state = std::move(state_);
+  if (!state->update(method_, flipped)) return full(grid, checkpoint);
+  state_ = std::move(state);
   state_->memo.forget(state_->touched);
   return finish(checkpoint);
 }

@@ -213,7 +213,10 @@ LineEnds::LineEnds(const std::vector<const TracedLine*>& lines) {
 }
 
 LineNetwork to_network(const std::vector<const TracedLine*>& lines) {
-  const LineEnds ends(lines);
+  return to_network(lines, LineEnds(lines));
+}
+
+LineNetwork to_network(const std::vector<const TracedLine*>& lines, const LineEnds& ends) {
   LineNetwork network;
   network.nodes.resize(ends.corner.size());
   network.lines.reserve(lines.size());

@@ -87,6 +87,8 @@ struct LineEnds {
 
 /// Lines in order as a network; its nodes are in the order of their corners.
 LineNetwork to_network(const std::vector<const TracedLine*>& lines);
+/// `ends` may have nodes that no line ends at.
+LineNetwork to_network(const std::vector<const TracedLine*>& lines, const LineEnds& ends);
 
 std::vector<const TracedLine*> list_of(const std::vector<TracedLine>& lines);
 

@@ -31,9 +31,8 @@ class Remarker {
         step_{1, stride_, -1, -stride_} {}
 
   void run(const std::vector<OutlineEdge>& replacement, std::vector<ReplacedEdge>& replaced) {
-    std::vector<Divide> divides;
-    for (const std::int32_t tile : stale_.list()) find_divides(tile, divides);
-    for (const Divide divide : divides) {
+    for (const std::int32_t tile : stale_.list()) find_divides(tile);
+    for (const Divide divide : divides_) {
       consider(divide.cell);
       consider(divide.cell + (divide.north ? stride_ : 1));
     }
@@ -56,7 +55,8 @@ class Remarker {
       touch_around(cell);
       to_mark_.push_back(cell);
     }
-    for (const std::int32_t tile : stale_.list()) mark_tile(tile);
+    for (const Divide divide : divides_) mark(divide);
+    for (const Divide divide : marked_) mark(divide);
     for (const CellIndex cell : to_mark_)
       for (const Divide divide : around(cell)) mark(divide);
     replaced.clear();
@@ -66,6 +66,11 @@ class Remarker {
   }
 
  private:
+  static constexpr std::uint8_t kMarked = kDividedEast | kDividedNorth;
+  /// Far from all numbers.
+  static constexpr std::int32_t kNone = INT32_MIN / 2;
+  using Row = std::array<std::int32_t, TileSet::kSide + 1>;
+
   bool free(CellIndex cell) const { return !(space_[cell] & kObstacle); }
   OutlineEdge edge_facing(CellIndex obstacle, int side) const {
     return outlines_.by_name.sides[at(edges_[obstacle])][at(side)];
@@ -80,16 +85,63 @@ class Remarker {
     return divided(a_free ? edges_[a] : edge_facing(a, direction),
                    b_free ? edges_[b] : edge_facing(b, (direction + 2) % 4));
   }
-  /// The last cells of the padded grid have no neighbours there.
-  bool has_neighbours(CellIndex cell) const { return at(cell) + at(stride_) < space_.size(); }
-
-  void find_divides(std::int32_t tile, std::vector<Divide>& divides) const {
+  /// Lists all steps of lines in a tile, and those that were marked before.
+  void find_divides(std::int32_t tile) {
+    const auto last = static_cast<CellIndex>(space_.size()) - stride_ - 1;
+    CellIndex numbered = -1;
     stale_.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-      for (CellIndex cell = first; cell < first + count && has_neighbours(cell); ++cell) {
-        if (divided(cell, cell + 1, kEast)) divides.push_back({cell, false});
-        if (divided(cell, cell + stride_, kNorth)) divides.push_back({cell, true});
+      count = std::min(count, last - first);
+      if (count <= 0) return;
+      if (numbered == first) {
+        std::swap(here_, above_);
+      } else {
+        number_row(first, here_);
+      }
+      numbered = first + stride_;
+      number_row(numbered, above_);
+      if (!may_be_divided(first, count)) return;
+      for (std::int32_t i = 0; i < count; ++i) {
+        const CellIndex cell = first + i;
+        if (is_divided(cell, i, here_[at(i) + 1], kEast)) divides_.push_back({cell, false});
+        if (is_divided(cell, i, above_[at(i)], kNorth)) divides_.push_back({cell, true});
+        if (!(space_[cell] & kMarked)) continue;
+        if (space_[cell] & kDividedEast) marked_.push_back({cell, false});
+        if (space_[cell] & kDividedNorth) marked_.push_back({cell, true});
       }
     });
+  }
+  /// Numbers of the edges that cells in a row see; kNone of obstacles.
+  void number_row(CellIndex first, Row& row) const {
+    const std::int32_t* number = outlines_.number.data();
+    const auto count =
+        std::min<std::size_t>(row.size(), space_.size() - static_cast<std::size_t>(first));
+    const std::uint8_t* bits = space_.data() + first;
+    const std::int32_t* seen = edges_.data() + first;
+    for (std::size_t i = 0; i < count; ++i)
+      row[i] = bits[i] & kObstacle ? kNone : number[at(seen[i])];
+  }
+  /// False only if no cell of the row is divided from its neighbours, nor was.
+  bool may_be_divided(CellIndex first, std::int32_t count) const {
+    const auto gap = static_cast<std::uint32_t>(outlines_.by_name.gap);
+    std::uint32_t far = 0;
+    std::uint8_t bits = 0;
+    for (std::size_t i = 0; i < at(count); ++i) {
+      const std::uint32_t own = static_cast<std::uint32_t>(here_[i]) + gap;
+      const std::uint32_t east = own - static_cast<std::uint32_t>(here_[i + 1]);
+      const std::uint32_t north = own - static_cast<std::uint32_t>(above_[i]);
+      far |=
+          static_cast<std::uint32_t>(east > 2 * gap) | static_cast<std::uint32_t>(north > 2 * gap);
+      bits |= space_[first + static_cast<CellIndex>(i)];
+    }
+    return far || (bits & kMarked);
+  }
+  bool is_divided(CellIndex cell, std::int32_t i, std::int32_t other, int side) const {
+    const std::int32_t own = here_[at(i)];
+    if (own != kNone && other != kNone) {
+      const std::int32_t apart = own < other ? other - own : own - other;
+      return apart > outlines_.by_name.gap && rule_.divided(own, other);
+    }
+    return own != other && divided(cell, cell + step_[at(side)], side);
   }
 
   OutlineEdge nearest(CellIndex cell) const {
@@ -165,15 +217,6 @@ class Remarker {
     touch_around(divide.cell);
   }
 
-  void mark_tile(std::int32_t tile) {
-    stale_.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-      for (CellIndex cell = first; cell < first + count && has_neighbours(cell); ++cell) {
-        mark({cell, false});
-        mark({cell, true});
-      }
-    });
-  }
-
   FreeSpace& space_;
   const NamedOutlines& outlines_;
   const SideRule& rule_;
@@ -187,7 +230,9 @@ class Remarker {
   std::unordered_map<CellIndex, OutlineEdge>
       nearest_;  ///< of the cells that see another in the end
   std::unordered_map<CellIndex, OutlineEdge> was_replaced_;
+  std::vector<Divide> divides_, marked_;
   std::vector<CellIndex> to_mark_;
+  Row here_, above_;
 };
 
 }  // namespace

@@ -31,14 +31,15 @@ class FlipFinder {
     const auto for_each_cell = [&](auto visit) {
       for (std::int32_t row = std::max(window_.row - 1, 0); row <= top; ++row)
         for (std::int32_t column = std::max(window_.column - 1, 0); column <= right; ++column)
-          visit(column, row, space_.index(column, row));
+          visit(space_.index(column, row));
     };
+    look_at_window();
     if (least_area_ > 0)
-      for_each_cell([&](std::int32_t column, std::int32_t row, CellIndex cell) {
-        if (kind_[cell] == kUnseen && is_obstacle(column, row)) judge(cell);
+      for_each_cell([&](CellIndex cell) {
+        if (kind_[cell] <= kObstacleNow && is_obstacle(cell)) judge(cell);
       });
-    for_each_cell([&](std::int32_t column, std::int32_t row, CellIndex cell) {
-      const bool obstacle = is_obstacle(column, row) && kind_[cell] != kSmall;
+    for_each_cell([&](CellIndex cell) {
+      const bool obstacle = kind_[cell] != kSmall && kind_[cell] != kFreeNow && is_obstacle(cell);
       if (obstacle == was_obstacle(cell)) return;
       flip(cell);
       if (obstacle) grow(cell);
@@ -46,22 +47,44 @@ class FlipFinder {
     // Of obstacles that are small now, what lies outside of the window.
     for (const CellIndex cell : small_)
       if (was_obstacle(cell) && kind_[cell] == kSmall) flip(cell);
-    for (const CellIndex cell : seen_) kind_[cell] = kUnseen;
-    for (const CellIndex cell : flipped_) kind_[cell] = kUnseen;
+    forget_all();
     std::sort(flipped_.begin(), flipped_.end());
     return std::move(flipped_);
   }
 
  private:
-  enum Kind : std::uint8_t { kUnseen, kSeen, kSmall, kLarge, kFlipped };
+  /// kUnseen cells are outside of the window; in it they are kObstacleNow or kFreeNow at first.
+  enum Kind : std::uint8_t { kUnseen, kObstacleNow, kFreeNow, kSeen, kSmall, kLarge, kFlipped };
 
   bool is_obstacle(std::int32_t column, std::int32_t row) const {
     if (!grid_.frame.contains({column, row})) return true;
-    const std::uint8_t value = grid_.cells[grid_.frame.place({column, row})];
+    return is_obstacle(grid_.cells[grid_.frame.place({column, row})]);
+  }
+  bool is_obstacle(std::uint8_t value) const {
     return value == OccupancyGrid::kUnknown ? unknown_is_obstacle_ : value >= least_;
   }
   bool is_obstacle(CellIndex cell) const {
-    return is_obstacle(space_.column(cell), space_.row(cell));
+    if (kind_[cell] != kUnseen) return kind_[cell] != kFreeNow;
+    // Outside of the window an obstacle that is small is not in free space's bits.
+    return was_obstacle(cell) || is_obstacle(space_.column(cell), space_.row(cell));
+  }
+  bool is_margin(CellIndex cell) const {
+    return !grid_.frame.contains({space_.column(cell), space_.row(cell)});
+  }
+  void look_at_window() {
+    for (std::int32_t row = window_.row; row < window_.row + window_.height; ++row) {
+      const CellIndex begin = space_.index(window_.column, row);
+      const std::uint8_t* values = grid_.cells.data() + grid_.frame.place({window_.column, row});
+      for (std::int32_t i = 0; i < window_.width; ++i)
+        kind_[begin + i] = is_obstacle(values[i]) ? kObstacleNow : kFreeNow;
+    }
+  }
+  void forget_all() {
+    for (std::int32_t row = window_.row; row < window_.row + window_.height; ++row)
+      std::fill_n(kind_.data() + space_.index(window_.column, row), window_.width,
+                  std::uint8_t{kUnseen});
+    for (const CellIndex cell : seen_) kind_[cell] = kUnseen;
+    for (const CellIndex cell : flipped_) kind_[cell] = kUnseen;
   }
   bool was_obstacle(CellIndex cell) const { return space_[cell] & kObstacle; }
 
@@ -81,8 +104,7 @@ class FlipFinder {
       for (const CellIndex step : step_) {
         const CellIndex next = seen_[i] + step;
         if (kind_[next] == kSeen || !is_obstacle(next)) continue;
-        const bool on_grid = grid_.frame.contains({space_.column(next), space_.row(next)});
-        if (!on_grid || kind_[next] == kLarge) {
+        if (kind_[next] == kLarge || (kind_[next] == kUnseen && is_margin(next))) {
           large = true;
           break;
         }

@@ -48,7 +48,7 @@ class OutlineUpdate {
     renew_sides();
     make_chains();
     walk_all();
-    find_regrouping();
+    find_what_changed();
     put_in_order();
     return std::move(change_);
   }
@@ -136,7 +136,6 @@ class OutlineUpdate {
       }
       begin = end;
     }
-    ring_of_chain_.assign(chains_.size(), -1);
   }
   OutlineEdge name_in(const Chain& chain, std::int32_t i) const {
     const Outline& whole = outlines_.by_number.list[at(chain.outline)];
@@ -146,7 +145,6 @@ class OutlineUpdate {
 
   void walk_all() {
     for (const Local& local : locals_) {
-      change_.near.push_back(local.name);
       if (named_.of_edge[at(local.name)] == kUnvisited) walk(local);
     }
   }
@@ -161,10 +159,7 @@ class OutlineUpdate {
       named_.of_edge[at(name)] = kVisited;
       go_on(cell, side);
       if (is_local(space_.column(cell), space_.row(cell))) continue;
-      const std::size_t place = chain_at_.at(sides_of(cell)[at(side)]);
-      const Chain& chain = chains_[place];
-      ring_of_chain_[place] = static_cast<std::int32_t>(rings_.size());
-      append(chain, ring.names);
+      append(chains_[chain_at_.at(sides_of(cell)[at(side)])], ring.names);
       const OutlineEdge last = ring.names.back();
       cell = space_.index(named_.place[at(last)].column, named_.place[at(last)].row);
       side = outlines_.side[at(last)];
@@ -178,10 +173,6 @@ class OutlineUpdate {
     const std::int32_t to_end = std::min(chain.count, whole.count - chain.along);
     names.insert(names.end(), begin + chain.along, begin + chain.along + to_end);
     names.insert(names.end(), begin, begin + (chain.count - to_end));
-    for (std::int32_t i = 0; i < std::min(reach_, chain.count); ++i) {
-      change_.near.push_back(name_in(chain, i));
-      change_.near.push_back(name_in(chain, chain.count - 1 - i));
-    }
   }
 
   /// To the next edge, with the obstacle on the left.
@@ -199,13 +190,45 @@ class OutlineUpdate {
     side = (ahead + 2) % 4;
   }
 
-  void find_regrouping() {
-    std::unordered_map<std::int32_t, std::int32_t> ring_of, outline_of;
-    for (std::size_t i = 0; i < chains_.size(); ++i) {
-      const auto [ring, is_first] = ring_of.emplace(chains_[i].outline, ring_of_chain_[i]);
-      const auto [outline, is_new] = outline_of.emplace(ring_of_chain_[i], chains_[i].outline);
-      if (ring->second != ring_of_chain_[i] || outline->second != chains_[i].outline)
-        change_.regrouped = true;
+  /// Of each ring the runs of edges that were in a row before.
+  void find_what_changed() {
+    std::unordered_map<std::int32_t, std::size_t> ring_of;
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+      const std::vector<OutlineEdge>& names = rings_[i].names;
+      const auto old_number = [&](std::size_t place) {
+        return outlines_.number[at(names[place % names.size()])];
+      };
+      std::int32_t group = -1;
+      std::size_t begin = 0, count = names.size();
+      // From the first place where a run ends, all around.
+      while (begin < count && follows(old_number(begin), old_number(begin + 1))) ++begin;
+      if (begin == count) continue;
+      for (std::size_t k = begin + 1, run = 0; k <= begin + count; ++k, ++run) {
+        const std::int32_t own = old_number(k);
+        if (run == 0 && own >= 0) {
+          const std::int32_t outline = outlines_.by_number.of_edge[at(own)];
+          change_.regrouped = change_.regrouped || (group >= 0 && group != outline) ||
+                              ring_of.emplace(outline, i).first->second != i;
+          group = outline;
+        }
+        if (follows(own, old_number(k + 1))) continue;
+        if (own >= 0) add_near(names, k - run, run + 1);
+        run = static_cast<std::size_t>(-1);
+      }
+    }
+  }
+  /// Whether one number came right behind another.
+  bool follows(std::int32_t first, std::int32_t second) const {
+    if (first < 0 || second < 0) return false;
+    if (second == first + 1) return true;
+    const Outline& whole = outlines_.by_number.list[at(outlines_.by_number.of_edge[at(first)])];
+    return second == whole.first && first == whole.first + whole.count - 1;
+  }
+  void add_near(const std::vector<OutlineEdge>& names, std::size_t first, std::size_t count) {
+    const std::size_t reach = std::min(at(reach_), count);
+    for (std::size_t i = 0; i < reach; ++i) {
+      change_.near.push_back(names[(first + i) % names.size()]);
+      change_.near.push_back(names[(first + count - 1 - i) % names.size()]);
     }
   }
 
@@ -261,7 +284,9 @@ class OutlineUpdate {
       while (outline < old.list.size() && touched_[outline]) ++outline;
       const bool more = outline < old.list.size();
       if (!more && ring == rings_.size()) break;
-      const auto start_of = [&](const Outline& whole) { return old.place[at(whole.first)]; };
+      const auto start_of = [&](const Outline& whole) {
+        return named_.place[at(outlines_.name[at(whole.first)])];
+      };
       const auto comes_first = [](Outlines::Place a, Outlines::Place b) {
         return std::tie(a.row, a.column) < std::tie(b.row, b.column);
       };
@@ -281,12 +306,9 @@ class OutlineUpdate {
   }
 
   void number_all(Outlines& now, std::vector<OutlineEdge> names) {
-    now.place.resize(names.size());
     now.of_edge.resize(names.size(), -1);
     for (std::size_t i = 0; i < now.list.size(); ++i) {
       const Outline& whole = now.list[i];
-      for (std::int32_t n = whole.first; n < whole.first + whole.count; ++n)
-        now.place[at(n)] = named_.place[at(names[at(n)])];
       std::fill_n(now.of_edge.begin() + whole.first, whole.count, static_cast<std::int32_t>(i));
     }
     outlines_.name = std::move(names);
@@ -307,7 +329,6 @@ class OutlineUpdate {
   std::vector<bool> touched_;  ///< by outline
   std::vector<Chain> chains_;
   std::unordered_map<OutlineEdge, std::size_t> chain_at_;
-  std::vector<std::int32_t> ring_of_chain_;
   std::vector<Ring> rings_;
   OutlineChange change_;
 };
@@ -335,6 +356,12 @@ std::vector<std::uint8_t> NamedOutlines::sides_by_number() const {
   for (std::size_t i = 0; i < name.size(); ++i)
     if (name[i] >= 0) result[i] = side[at(name[i])];
   return result;
+}
+
+void NamedOutlines::place_by_number() {
+  by_number.place.assign(name.size(), {});
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (name[i] >= 0) by_number.place[i] = by_name.place[at(name[i])];
 }
 
 OutlineChange update_outlines(NamedOutlines& outlines, FreeSpace& space, EdgeGrid& edges,
