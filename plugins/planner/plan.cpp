@@ -12,6 +12,7 @@
 #include "plugins/planner/path_sampling.hpp"
 #include "plugins/planner/road_obstructions.hpp"
 #include "plugins/planner/road_snap.hpp"
+#include "plugins/planner/shortcut.hpp"
 #include "stope/error.hpp"
 
 namespace stope::planner {
@@ -191,18 +192,59 @@ class Planner {
                             text_of(point), why, text_of(instead), (instead - point).norm()));
   }
 
-  Path path_of(const Route& route) const {
+  Path path_of(const Route& route) {
     Path path;
-    std::vector<RoadVertex> line;
-    append_link(line, start_, false);
-    for (const RouteLeg& leg : route.legs) {
-      append_leg(line, leg);
+    std::vector<RoadVertex> line = line_of(route);
+    for (const RouteLeg& leg : route.legs)
       path.edges.push_back(network_.graph().edges[leg.edge].id);
-    }
-    append_link(line, goal_, true);
+    if (request_.shortcut) line = shortened(std::move(line), route);
     path.length = length_of(line);
     path.points = sample_path(line, request_.step, request_.smoothing);
     return path;
+  }
+
+  std::vector<RoadVertex> line_of(const Route& route) const {
+    std::vector<RoadVertex> line;
+    append_link(line, start_, false);
+    for (const RouteLeg& leg : route.legs) append_leg(line, leg);
+    append_link(line, goal_, true);
+    return line;
+  }
+
+  /// The route, or another that is nearly as cheap, pulled straight through free ground.
+  std::vector<RoadVertex> shortened(std::vector<RoadVertex> line, const Route& route) {
+    constexpr int kAlternatives = 10;
+    constexpr double kDearer = 1.2, kFarthest = 20;
+    if (!grid_) {
+      say_("shortcut needs a grid to see free ground in; without one the way follows the roads");
+      return line;
+    }
+    std::vector<std::vector<RoadVertex>> lines{line};
+    // What was driven is made dearer, so that the next way is another if one is nearly as good.
+    RoadChanges changes = changes_;
+    Route last = route;
+    for (int i = 1; i < kAlternatives; ++i) {
+      for (const RouteLeg& leg : last.legs)
+        changes.raise(leg.edge, kDearer * changes.factor(leg.edge));
+      auto other = router_.find(start_.place, goal_.place, changes);
+      if (!other) break;
+      last = *std::move(other);
+      lines.push_back(line_of(last));
+    }
+    const auto points = shortcut_along(*grid_, lines, network_.rules().min_clearance);
+    if (!points) return line;
+    std::vector<RoadVertex> pulled;
+    std::size_t nearest = 0;
+    for (const Vector2& point : *points) {
+      // Height comes from the road beside.
+      const auto distance = [&](std::size_t i) {
+        return std::hypot(line[i].x - point.x(), line[i].y - point.y());
+      };
+      for (std::size_t i = nearest + 1; i < line.size(); ++i)
+        if (distance(i) < distance(nearest)) nearest = i;
+      pulled.push_back({point.x(), point.y(), line[nearest].z, grid_->clearance(point, kFarthest)});
+    }
+    return pulled;
   }
 
   void append_link(std::vector<RoadVertex>& line, const Link& link, bool backward) const {

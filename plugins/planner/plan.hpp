@@ -21,6 +21,7 @@ struct PlanRequest {
   double smoothing = 2;                            ///< metres over which heading is taken
   RoadRules rules;
   RequestedChanges changes;
+  bool shortcut = false;         ///< leaves the roads' middles where the grid allows a shorter way
   bool avoid_obstructed = true;  ///< roads on which the grid shows an obstacle are not driven
 };
 
