@@ -107,7 +107,11 @@ class RouteWriter {
       const RoadVertex &a = line[kept[i - 1]], &b = line[kept[i]];
       const std::uint64_t next = i + 1 == kept.size() ? edge.to : add_bend(edge, i, b);
       std::string stope;
-      if (i == 1) stope = attributes(edge) + ends(edge, line) + parts(kept.size() - 1);
+      if (i == 1) {
+        stope = attributes(edge) + ends(edge, line) + parts(kept.size() - 1);
+        // An infinite limit is none that nav2 could read.
+        if (std::isinf(edge.speed_limit)) stope += member("speed_limit", edge.speed_limit);
+      }
       double length = 0;
       std::string between;
       for (std::size_t v = kept[i - 1] + 1; v <= kept[i]; ++v) {

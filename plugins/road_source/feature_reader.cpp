@@ -123,7 +123,9 @@ class OneFeature {
     if (stope.contains("between")) read_fours(feature_.list(stope, "between"));
     if (!stope.contains("parts")) return;
     RoadRecord road = read_attributes(stope);
-    road.edge.speed_limit = record.speed_limit;
+    road.part_limit = record.speed_limit;
+    road.edge.speed_limit =
+        stope.contains("speed_limit") ? feature_.number(stope, "speed_limit") : record.speed_limit;
     road.parts = feature_.count(stope, "parts");
     road.first_has_place = read_end(stope, "first", road.first);
     road.last_has_place = read_end(stope, "last", road.last);

@@ -145,7 +145,7 @@ class Assembly {
                                            sequence, part.road, back ? ", backwards" : "",
                                            part.sequence, part.back ? ", backwards" : ""));
     }
-    if (!same(part.speed_limit, road.edge.speed_limit)) {
+    if (!same(part.speed_limit, road.part_limit)) {
       index_.fail(part.origin, fmt::format("its abs_speed_limit is another than that of the road's "
                                            "first part (feature {}): change all parts of a road",
                                            road.origin.feature));

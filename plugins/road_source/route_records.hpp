@@ -48,7 +48,8 @@ struct RoadRecord {
   Origin origin;
   RoadEdge edge;  ///< of a closed one with its run of vertices
   std::uint32_t parts = 0;
-  RoadVertex first, last;                                ///< the clearance is given always,
+  double part_limit = 0;   ///< the speed limit that each part must have, m/s; NaN: none
+  RoadVertex first, last;  ///< the clearance is given always,
   bool first_has_place = false, last_has_place = false;  ///< the place where the node's is another
   std::uint32_t start = 0, end = 0;                      ///< of a closed one: the file's ids
 };

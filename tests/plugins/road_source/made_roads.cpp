@@ -58,6 +58,7 @@ RoadGraph made_roads(std::uint64_t seed, int nodes, int edges) {
     edge.curvature = any(random, 0, 0.1);
     edge.lane_width = perhaps(random, 9.0);
     edge.speed_limit = perhaps(random, random.below(2) == 0 ? 8.0 : any(random, 1, 20));
+    if (random.below(30) == 0) edge.speed_limit = std::numeric_limits<double>::infinity();
     edge.direction = static_cast<RoadDirection>(random.below(3));
     edge.closed = random.below(6) == 0 ? 1 : 0;
     graph.edges.push_back(edge);
