@@ -24,7 +24,8 @@ ColourPieces colour_pieces(const std::vector<std::int16_t>& hues, std::int32_t w
       const auto row = static_cast<std::int32_t>(at / columns);
       for (std::int32_t y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y) {
         for (std::int32_t x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x) {
-          const std::size_t next = static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x);
+          const std::size_t next =
+              static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x);
           if (hues[next] != hues[start] || pieces.of_pixel[next] >= 0) continue;
           pieces.of_pixel[next] = piece;
           open.push_back(next);

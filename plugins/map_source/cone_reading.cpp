@@ -26,8 +26,8 @@ Rgb cone(int degrees, int value, int chroma) {
   const std::array<std::uint8_t, 3> parts{top, middle, least};
   Rgb colour{};
   for (std::size_t channel = 0; channel < 3; ++channel)
-    colour[channel] = parts[static_cast<std::size_t>(
-        kOrder[static_cast<std::size_t>(sector)][channel])];
+    colour[channel] =
+        parts[static_cast<std::size_t>(kOrder[static_cast<std::size_t>(sector)][channel])];
   return colour;
 }
 

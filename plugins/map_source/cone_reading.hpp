@@ -12,9 +12,9 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 /// What a pixel of a conical map says.
 struct ConePixel {
-  std::int16_t hue = -1;   ///< number of the hue; -1: none, the cell has no region
-  std::uint8_t cell = 0;   ///< as in an OccupancyGrid
-  bool known = true;       ///< false: no such colour is in maps of this kind
+  std::int16_t hue = -1;  ///< number of the hue; -1: none, the cell has no region
+  std::uint8_t cell = 0;  ///< as in an OccupancyGrid
+  bool known = true;      ///< false: no such colour is in maps of this kind
 };
 
 /// Reads the colours of maps that Stope wrote, each of which stands for one hue and one value.

@@ -151,8 +151,8 @@ class Reader {
     if (!node.IsMap()) map_.fail(line_of(node), "'stope' is wrong: expected keys and values");
     const YAML::Node version = need(node, "version");
     if (number<int>(version, "version") != 1)
-      map_.fail(line_of(version), fmt::format("the map's version is {}: this Stope reads 1 only",
-                                              version.Scalar()));
+      map_.fail(line_of(version),
+                fmt::format("the map's version is {}: this Stope reads 1 only", version.Scalar()));
     StopeConical& stope = map_.stope.emplace();
     const YAML::Node size = need(node, "size");
     const auto cells = numbers<std::int32_t>(size, "size", 2);
@@ -204,9 +204,10 @@ class Reader {
 
   void read_region(const YAML::Node& node, ConicalVertex& vertex) const {
     if (vertex.number != map_.vertices.size())
-      map_.fail(vertex.line, fmt::format("vertex {} stands where vertex {} belongs: one is missing, "
-                                         "doubled or moved",
-                                         vertex.number, map_.vertices.size()));
+      map_.fail(vertex.line,
+                fmt::format("vertex {} stands where vertex {} belongs: one is missing, "
+                            "doubled or moved",
+                            vertex.number, map_.vertices.size()));
     Region& region = vertex.region;
     region.id = number<std::uint64_t>(need(node, "id"), "id");
     if (!map_.vertices.empty() && region.id <= map_.vertices.back().region.id)

@@ -13,20 +13,20 @@ namespace stope::map_source {
 
 /// A topological vertex as the yaml has it.
 struct ConicalVertex {
-  int line = 0;                        ///< of the yaml, from 1
-  std::uint64_t number = 0;            ///< how others call it
-  double pixel_x = 0, pixel_y = 0;     ///< column from the left, row from the top
-  std::vector<std::uint64_t> adjacent; ///< numbers
+  int line = 0;                         ///< of the yaml, from 1
+  std::uint64_t number = 0;             ///< how others call it
+  double pixel_x = 0, pixel_y = 0;      ///< column from the left, row from the top
+  std::vector<std::uint64_t> adjacent;  ///< numbers
   std::optional<std::string> semantics;
-  Region region;                       ///< of a map that Stope wrote
-  std::uint64_t cells = 0;             ///< of a map that Stope wrote
+  Region region;            ///< of a map that Stope wrote
+  std::uint64_t cells = 0;  ///< of a map that Stope wrote
 };
 
 /// What only maps that Stope wrote say.
 struct StopeConical {
   std::int32_t width = 0, height = 0;
-  int floor = 0;          ///< chroma of free cells, of 255
-  bool measured = true;   ///< occupancy was a grid's
+  int floor = 0;         ///< chroma of free cells, of 255
+  bool measured = true;  ///< occupancy was a grid's
   std::vector<std::string> label_names;
   std::vector<std::uint32_t> pieces;  ///< region of each piece of colour, in the picture's order
   int pieces_line = 0;
@@ -38,7 +38,7 @@ struct ConicalYaml {
   std::filesystem::path image;
   double resolution = 0;
   Pose2 origin;
-  CellRule rule;  ///< mode and thresholds, of occupancy
+  CellRule rule;                     ///< mode and thresholds, of occupancy
   int hue_start = 0, hue_step = 20;  ///< degrees: a and b of eq. 6
   double coefficient = 1;            ///< k of eq. 6
   std::vector<ConicalVertex> vertices;

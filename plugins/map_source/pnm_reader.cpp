@@ -68,9 +68,10 @@ class PnmReader final : public RasterReader {
       ++digits;
     }
     if (digits == 0 || number < 1 || number > most) {
-      throw Error(fmt::format(
-          "the map's picture {} is not a sound PNM picture: its header gives no {} between 1 and {}", name_,
-          what, most));
+      throw Error(
+          fmt::format("the map's picture {} is not a sound PNM picture: its header gives no {} "
+                      "between 1 and {}",
+                      name_, what, most));
     }
     return static_cast<std::int32_t>(number);
   }
@@ -83,9 +84,10 @@ class PnmReader final : public RasterReader {
       number = 10 * number + static_cast<unsigned>(stream_.get() - '0');
     if (digits == 0) {
       if (stream_.peek() == std::char_traits<char>::eof()) throw_cut_off();
-      throw Error(fmt::format(
-          "the map's picture {} is not a sound PNM picture: row {} holds something that is not a number",
-          name_, next_ + 1));
+      throw Error(
+          fmt::format("the map's picture {} is not a sound PNM picture: row {} holds something "
+                      "that is not a number",
+                      name_, next_ + 1));
     }
     return std::min(number, layout_.max_value);
   }

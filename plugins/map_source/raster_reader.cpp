@@ -29,9 +29,10 @@ std::unique_ptr<RasterReader> open_raster(const std::filesystem::path& file) {
   for (const char* pnm : {"P2", "P3", "P5", "P6"}) {
     if (magic.starts_with(pnm)) return open_pnm(file);
   }
-  throw Error(fmt::format(
-      "the map's picture {} is neither PNG nor PGM nor PPM (P2, P3, P5 or P6): convert it to one of them",
-      file.string()));
+  throw Error(
+      fmt::format("the map's picture {} is neither PNG nor PGM nor PPM (P2, P3, P5 or P6): convert "
+                  "it to one of them",
+                  file.string()));
 }
 
 }  // namespace stope::map_source

@@ -29,7 +29,8 @@ class RasterReader {
   virtual void read_row(std::uint8_t* row) = 0;
 };
 
-/// Opens a PNG, PGM or PPM (P2, P3, P5, P6) picture; its first bytes tell which, not its name. Throws Error.
+/// Opens a PNG, PGM or PPM (P2, P3, P5, P6) picture; its first bytes tell which, not its name.
+/// Throws Error.
 std::unique_ptr<RasterReader> open_raster(const std::filesystem::path& file);
 
 std::unique_ptr<RasterReader> open_png(const std::filesystem::path& file);
