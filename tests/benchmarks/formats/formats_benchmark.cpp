@@ -158,6 +158,6 @@ int main() {
   stope::rooms(10, 5);
   stope::rooms(100, 3);
   stope::routes(100, 5);
-  stope::routes(1000, 3);
+  stope::routes(1000, 1);
   return 0;
 }
