@@ -1,6 +1,6 @@
 // Problem: find the few neighbouring cells that a rule divides among all that there are.
 // Idea: numbers of edges that differ by little are never divided, so look along stretches where
-// both neighbours are free, sixteen pairs at a time, and ask the rule only where some differ by
+// both neighbours are free, many pairs at a time, and ask the rule only where some differ by
 // more.
 #include "plugins/topology/find_divides.hpp"
 
@@ -14,6 +14,21 @@ namespace stope::topology {
 namespace {
 
 constexpr std::int32_t kBandRows = 64;
+constexpr std::int32_t kBlock = 32;
+
+/// Whether numbers differ by more than `gap`. Signed, as vectors compare: the bias takes 0 to the
+/// least number.
+bool differ(std::int32_t a, std::int32_t b, std::uint32_t gap) {
+  constexpr std::uint32_t kBias = 1U << 31;
+  const std::uint32_t apart = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b) + gap;
+  return static_cast<std::int32_t>(apart ^ kBias) > static_cast<std::int32_t>((2 * gap) ^ kBias);
+}
+
+bool any_differ(const std::int32_t* here, const std::int32_t* there, std::uint32_t gap) {
+  std::int32_t far = 0;
+  for (std::int32_t i = 0; i < kBlock; ++i) far |= differ(here[i], there[i], gap) ? -1 : 0;
+  return far != 0;
+}
 
 class RowScan {
  public:
@@ -65,24 +80,16 @@ class RowScan {
 
   /// Compares `count` cells with their eastern or northern neighbours, all of them free.
   void compare(CellIndex cell, std::int32_t count, bool north, std::vector<Divide>& divides) const {
-    constexpr std::int32_t kBlock = 16;
     const std::int32_t* here = edges_.data() + cell;
     const std::int32_t* there = here + (north ? edges_.stride() : 1);
-    const std::uint32_t gap = gap_;
-    const auto is_far = [gap](std::int32_t a, std::int32_t b) {
-      return static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b) + gap > 2 * gap;
-    };
     std::int32_t i = 0;
     const auto ask = [&](std::int32_t end) {
       for (; i < end; ++i)
-        if (is_far(here[i], there[i]) && rule_.divided(here[i], there[i]))
+        if (differ(here[i], there[i], gap_) && rule_.divided(here[i], there[i]))
           divides.push_back({cell + i, north});
     };
     while (i + kBlock <= count) {
-      std::uint32_t far = 0;
-      for (std::int32_t k = i; k < i + kBlock; ++k)
-        far |= static_cast<std::uint32_t>(is_far(here[k], there[k]));
-      if (far) {
+      if (any_differ(here + i, there + i, gap_)) {
         ask(i + kBlock);
       } else {
         i += kBlock;
