@@ -4,8 +4,7 @@
 
 namespace stope::planner {
 
-HierarchySearch::HierarchySearch(const SearchGraph& graph, const ContractionHierarchy& hierarchy)
-    : graph_(graph), hierarchy_(hierarchy) {
+HierarchySearch::HierarchySearch(const ContractionHierarchy& hierarchy) : hierarchy_(hierarchy) {
   forward_.labels.resize(hierarchy.node_count());
   backward_.labels.resize(hierarchy.node_count());
 }

@@ -10,11 +10,11 @@
 namespace stope::planner {
 
 /// Cheapest ways in a graph whose costs have not changed: two searches that climb a contraction
-/// hierarchy, from the sources and from the targets, until they meet. Keeps references to both; one
+/// hierarchy, from the sources and from the targets, until they meet. Keeps a reference to it; one
 /// query at a time.
 class HierarchySearch {
  public:
-  HierarchySearch(const SearchGraph& graph, const ContractionHierarchy& hierarchy);
+  explicit HierarchySearch(const ContractionHierarchy& hierarchy);
   /// A cheapest way from one of the sources to one of the targets.
   Way find(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
   /// What it costs, without the way itself.
@@ -30,7 +30,6 @@ class HierarchySearch {
             const ContractionHierarchy::Half& back);
   void climb(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
 
-  const SearchGraph& graph_;
   const ContractionHierarchy& hierarchy_;
   Side forward_, backward_;
   // Where the best way so far turns from climbing to descending.

@@ -67,7 +67,7 @@ RoadRouter::RoadRouter(const RoadNetwork& network, RouteSearch search,
     for (const RoadNode& node : network.graph().nodes)
       places.push_back({static_cast<float>(node.x), static_cast<float>(node.y)});
     searches_->hierarchy.emplace(graph_, places, pause);
-    searches_->by_hierarchy.emplace(graph_, *searches_->hierarchy);
+    searches_->by_hierarchy.emplace(*searches_->hierarchy);
     searches_->reroute.emplace(graph_, *searches_->hierarchy);
   } else {
     searches_->plain.emplace(graph_);

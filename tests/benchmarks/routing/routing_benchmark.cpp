@@ -226,7 +226,7 @@ void run(const std::string& name, const TestNetwork& network, double cost_per_me
   fmt::print("  16 landmarks measured in {:.1f} s\n", 1e-3 * (now_ms() - start));
   const auto pairs = random_pairs(graph, std::max(options.truth, options.queries));
 
-  HierarchySearch hierarchy_search(graph, hierarchy);
+  HierarchySearch hierarchy_search(hierarchy);
   RerouteSearch reroute_search(graph, hierarchy);
   LandmarkSearch landmark_search(graph, landmarks);
   DijkstraSearch dijkstra(graph);

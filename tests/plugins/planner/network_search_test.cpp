@@ -99,7 +99,7 @@ TEST(NetworkSearch, AllFindWaysAsCheapAsRelaxationDoes) {
     const ContractionHierarchy hierarchy(graph, places);
     const Landmarks landmarks(graph, 5);
     DijkstraSearch dijkstra(graph);
-    HierarchySearch by_hierarchy(graph, hierarchy);
+    HierarchySearch by_hierarchy(hierarchy);
     RerouteSearch reroute(graph, hierarchy);
     LandmarkSearch by_landmarks(graph, landmarks);
     for (int query = 0; query < 10; ++query) {
@@ -131,7 +131,7 @@ TEST(NetworkSearch, EveryOneOfManyWaysIsAsCheapAsDijkstras) {
     const ContractionHierarchy hierarchy(graph, network.places());
     const Landmarks landmarks(graph, 8);
     DijkstraSearch dijkstra(graph);
-    HierarchySearch by_hierarchy(graph, hierarchy);
+    HierarchySearch by_hierarchy(hierarchy);
     RerouteSearch reroute(graph, hierarchy);
     LandmarkSearch by_landmarks(graph, landmarks);
     Random random(5);
@@ -161,7 +161,7 @@ TEST(NetworkSearch, GivesTheSameWayEachTimeItIsAsked) {
   const SearchGraph graph = lattice(30, 1, 1).graph();  // equal ways everywhere
   const ContractionHierarchy hierarchy(graph), again(graph);
   const WayEnd from{31, 0}, to{815, 0};
-  HierarchySearch search(graph, hierarchy), other(graph, again);
+  HierarchySearch search(hierarchy), other(again);
   const Way first = search.find({&from, 1}, {&to, 1});
   search.find({&to, 1}, {&from, 1});
   EXPECT_EQ(search.find({&from, 1}, {&to, 1}).arcs, first.arcs);
