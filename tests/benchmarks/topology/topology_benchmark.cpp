@@ -103,6 +103,14 @@ void run(const char* name, const OccupancyGrid& grid, int repeats, bool peers) {
   report("topology/watershed", watershed, roads);
   const double voronoi = median_ms(repeats, [&] { roads = voronoi_roads(grid, {}, {}); });
   report("topology/voronoi  ", voronoi, roads);
+  const double skeleton = median_ms(repeats, [&] { roads = skeleton_roads(grid, {}, {}, {}); });
+  report("topology/skeleton ", skeleton, roads);
+  const SkeletonParams by_lambda{SkeletonParams::Pruning::kLambda};
+  const double lambda =
+      median_ms(repeats, [&] { roads = skeleton_roads(grid, {}, {}, by_lambda); });
+  report("… by lambda       ", lambda, roads);
+  const double parts = median_ms(repeats, [&] { roads = watershed_part_roads(grid, {}, {}, {}); });
+  report("watershed of parts", parts, roads);
   time_steps(grid, repeats);
   if (peers) time_opencv(grid, std::max(1, repeats / 3), std::max(watershed, voronoi));
 }
