@@ -1,0 +1,187 @@
+#include "plugins/topology/regions/merge_regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "plugins/topology/regions/network.hpp"
+#include "plugins/topology/regions/visit_convex.hpp"
+
+namespace stope::topology {
+namespace {
+
+double distance(const ShapePoint& a, const ShapePoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+ShapePoint centre(const RegionShape& shape) {
+  return centre_of_gravity(shape.hull, shape.hull.front());
+}
+
+class Merging {
+ public:
+  Merging(const Ground& ground, const RegionCells& regions, std::int32_t count,
+          const MergeRule& rule, const Checkpoint& checkpoint)
+      : ground_(ground),
+        regions_(regions),
+        rule_(rule),
+        shapes_(shapes_of(ground, regions, count, checkpoint)),
+        borders_(static_cast<std::size_t>(count)),
+        now_(static_cast<std::size_t>(count) + 1) {
+    for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = static_cast<std::int32_t>(i);
+    std::vector<Border> borders = find_borders(ground, regions, checkpoint);
+    if (rule.as_printed) borders = tree_of(borders, count);
+    for (const Border& border : borders) {
+      borders_[place(border.first)][border.second] = border.steps;
+      borders_[place(border.second)][border.first] = border.steps;
+    }
+    for (std::int32_t region = 1; region <= count; ++region) offer(region);
+  }
+
+  void run(const Checkpoint& checkpoint) {
+    while (!small_.empty()) {
+      checkpoint();
+      const std::int32_t region = small_.begin()->second;
+      small_.erase(small_.begin());
+      for (const std::int32_t other : neighbours(region)) {
+        if (!allowed(region, other)) continue;
+        merge(region, other);
+        break;
+      }
+    }
+  }
+
+  /// The region each has become, 0 for 0.
+  const std::vector<std::int32_t>& now() {
+    for (std::size_t i = 1; i < now_.size(); ++i) now_[i] = find(static_cast<std::int32_t>(i));
+    return now_;
+  }
+
+ private:
+  static std::size_t place(std::int32_t region) { return static_cast<std::size_t>(region) - 1; }
+
+  std::vector<Border> tree_of(const std::vector<Border>& borders, std::int32_t count) const {
+    std::vector<Link> links;
+    for (const Border& border : borders)
+      links.push_back({border.first - 1, border.second - 1,
+                       distance(centre(shapes_[place(border.first)]),
+                                centre(shapes_[place(border.second)]))});
+    std::vector<Border> tree;
+    for (const std::size_t i : spanning_tree(count, links)) tree.push_back(borders[i]);
+    return tree;
+  }
+
+  void offer(std::int32_t region) {
+    const double radius = shapes_[place(region)].radius();
+    if (radius < rule_.radius) small_.insert({radius, region});
+  }
+
+  std::vector<std::int32_t> neighbours(std::int32_t region) const {
+    std::vector<std::pair<std::int64_t, std::int32_t>> order;
+    for (const auto& [other, steps] : borders_[place(region)]) order.emplace_back(-steps, other);
+    std::sort(order.begin(), order.end());
+    std::vector<std::int32_t> result;
+    for (const auto& [steps, other] : order) result.push_back(other);
+    return result;
+  }
+
+  bool allowed(std::int32_t a, std::int32_t b) {
+    const RegionShape &first = shapes_[place(a)], &second = shapes_[place(b)];
+    if (static_cast<double>(first.cells + second.cells) > rule_.area) return false;
+    const std::size_t corners = first.hull.size() + second.hull.size();
+    std::vector<HullPoint> hull;
+    hull.reserve(corners);
+    hull.insert(hull.end(), first.hull.begin(), first.hull.end());
+    hull.insert(hull.end(), second.hull.begin(), second.hull.end());
+    if (rule_.as_printed) return scan_allows(a, b);
+    hull = convex_hull(std::move(hull));
+    std::int64_t inside = 0;
+    visit_convex(hull, [&](std::int32_t, std::int32_t left, std::int32_t right) {
+      inside += right - left + 1;
+    });
+    const std::int64_t own = first.cells + second.cells;
+    return static_cast<double>(inside - own) <=
+           rule_.obstacle_ratio * static_cast<double>(own);
+  }
+
+  /// Lines 4 to 18 of Algorithm 2: only the cells in a disc of the mean radius around the centre,
+  /// weighted with the areas, are looked at.
+  bool scan_allows(std::int32_t a, std::int32_t b) {
+    const RegionShape &first = shapes_[place(a)], &second = shapes_[place(b)];
+    const ShapePoint c1 = centre(first), c2 = centre(second);
+    const auto n1 = static_cast<double>(first.cells), n2 = static_cast<double>(second.cells);
+    const double x = (n1 * c1.x + n2 * c2.x) / (n1 + n2), y = (n1 * c1.y + n2 * c2.y) / (n1 + n2);
+    const double radius = (first.radius() + second.radius()) / 2;
+    std::vector<HullPoint> own, failed;
+    for (auto row = static_cast<std::int32_t>(y - radius); row <= y + radius; ++row) {
+      for (auto column = static_cast<std::int32_t>(x - radius); column <= x + radius; ++column) {
+        if (std::hypot(column - x, row - y) > radius) continue;
+        if (column < 0 || row < 0 || column >= ground_.width() || row >= ground_.height()) continue;
+        const std::int32_t region = find(regions_[ground_.index(column, row)]);
+        (region == a || region == b ? own : failed).push_back({column, row});
+      }
+    }
+    if (own.empty()) return false;
+    const std::vector<HullPoint> hull = convex_hull(own);
+    std::int64_t inside = 0;
+    visit_convex(hull, [&](std::int32_t row, std::int32_t left, std::int32_t right) {
+      for (const HullPoint& cell : failed)
+        inside += cell.y == row && cell.x >= left && cell.x <= right ? 1 : 0;
+    });
+    return static_cast<double>(inside) <=
+           rule_.obstacle_ratio * static_cast<double>(own.size());
+  }
+
+  /// The second takes the first in.
+  void merge(std::int32_t gone, std::int32_t kept) {
+    small_.erase({shapes_[place(kept)].radius(), kept});
+    now_[static_cast<std::size_t>(gone)] = kept;
+    shapes_[place(kept)] += shapes_[place(gone)];
+    shapes_[place(gone)] = {};
+    for (const auto& [other, steps] : borders_[place(gone)]) {
+      borders_[place(other)].erase(gone);
+      if (other == kept) continue;
+      borders_[place(kept)][other] += steps;
+      borders_[place(other)][kept] += steps;
+    }
+    borders_[place(gone)].clear();
+    offer(kept);
+  }
+
+  std::int32_t find(std::int32_t region) {
+    while (now_[static_cast<std::size_t>(region)] != region) {
+      auto& next = now_[static_cast<std::size_t>(region)];
+      next = now_[static_cast<std::size_t>(next)];
+      region = next;
+    }
+    return region;
+  }
+
+  const Ground& ground_;
+  const RegionCells& regions_;
+  MergeRule rule_;
+  std::vector<RegionShape> shapes_;
+  std::vector<std::map<std::int32_t, std::int64_t>> borders_;  ///< by region: length to each other
+  std::vector<std::int32_t> now_;
+  std::set<std::pair<double, std::int32_t>> small_;  ///< radius, region
+};
+
+}  // namespace
+
+std::int32_t merge_regions(const Ground& ground, RegionCells& regions, std::int32_t count,
+                           const MergeRule& rule, const Checkpoint& checkpoint) {
+  Merging merging(ground, regions, count, rule, checkpoint);
+  merging.run(checkpoint);
+  const std::vector<std::int32_t>& now = merging.now();
+  std::vector<std::int32_t> number(now.size(), 0);
+  std::int32_t next = 0;
+  for (std::size_t i = 1; i < now.size(); ++i)
+    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++next;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    std::int32_t& region = regions.data()[i];
+    region = number[static_cast<std::size_t>(now[static_cast<std::size_t>(region)])];
+  }
+  return next;
+}
+
+}  // namespace stope::topology

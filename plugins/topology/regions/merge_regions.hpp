@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "plugins/topology/regions/borders.hpp"
+#include "plugins/topology/regions/region_shape.hpp"
+
+namespace stope::topology {
+
+/// When small regions are merged (Wang et al., sec. 2.2). Lengths in cells.
+struct MergeRule {
+  double radius = 5;            ///< regions with a smaller radius look for a neighbour
+  double area = 700;            ///< most cells of the merged region
+  double obstacle_ratio = 0.1;  ///< most unqualified cells in its hull for each of its own
+  bool as_printed = false;      ///< Algorithm 2 to the letter, along Kruskal's tree
+};
+
+/// Merges regions by Algorithm 2, the smallest first, each with the neighbour it has the longest
+/// border with that the rule allows. Renumbers `regions` 1 … count without gaps and gives count.
+std::int32_t merge_regions(const Ground& ground, RegionCells& regions, std::int32_t count,
+                           const MergeRule& rule, const Checkpoint& checkpoint);
+
+}  // namespace stope::topology

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "plugins/topology/regions/finish_regions.hpp"
+#include "plugins/topology/regions/grow_regions.hpp"
+#include "plugins/topology/regions/merge_regions.hpp"
+#include "stope/payloads/trajectory.hpp"
+#include "stope/random.hpp"
+
+namespace stope::topology {
+
+/// What topology/region_growing is told; metres and square metres.
+struct GrowingParams {
+  double growth_radius = 12.0;
+  double max_radius = 30.0;
+  double radius_weight = 1.0;
+  double addition_ratio = 0.3;
+  double obstacle_ratio = 0.05;
+  double second_radius = 30.0;
+  double merge_radius = 6.0;
+  double merge_area = 2000.0;
+  double merge_obstacle_ratio = 0.2;
+  double coverage = 0.95;
+  bool as_printed = false;  ///< `mode: paper`
+};
+
+/// What is kept of one map for the next.
+struct GrowthMemory {
+  std::unique_ptr<Ground> ground;
+  std::vector<CellIndex> visited;
+  std::vector<GrownRegion> regions;
+  std::size_t reused = 0;  ///< of `regions`: taken from the map before
+};
+
+/// The cells of a grid that a trajectory passes through, in its order; `outside` counts the poses
+/// that are not on the grid, `blocked` those in cells that are not free.
+std::vector<CellIndex> cells_visited(const Ground& ground, const Trajectory& trajectory,
+                                     std::size_t& outside, std::size_t& blocked);
+
+/// Divides free space by region growing (Wang et al. 2019). With a memory of the map before, what
+/// grew there is used where it can be, and the memory becomes one of this map; the result is the
+/// same. `visited` may be empty.
+RegionsAndRoads segment_by_growth(std::unique_ptr<Ground> ground, std::vector<CellIndex> visited,
+                                  const GrowingParams& params, const RegionRoadsRule& roads,
+                                  Random random, const Checkpoint& checkpoint = never_stop,
+                                  GrowthMemory* memory = nullptr);
+
+}  // namespace stope::topology

@@ -1,0 +1,104 @@
+// Problem: from the centre of a region to each place where it can be left, stay off the walls.
+// Idea: the straight line, if it stays in the region and about as clear as its ends; else Dijkstra's
+// algorithm over the region's cells, where a step costs more the nearer the walls are.
+// Cost: a region's cells times the logarithm of their number at worst; most regions need only lines.
+#include "plugins/topology/regions/ways_to_doors.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace stope::topology {
+namespace {
+
+constexpr float kUnreached = std::numeric_limits<float>::infinity();
+constexpr float kMostPenalty = 12.0F;
+
+}  // namespace
+
+WaysToDoors::WaysToDoors(const Ground& ground, const RegionCells& regions)
+    : ground_(ground),
+      regions_(regions),
+      cost_(ground.width(), ground.height()),
+      back_(ground.width(), ground.height()) {
+  std::fill_n(cost_.data(), cost_.size(), kUnreached);
+}
+
+std::vector<std::vector<CellIndex>> WaysToDoors::find(CellIndex centre,
+                                                      const std::vector<CellIndex>& doors) {
+  std::vector<std::vector<CellIndex>> ways;
+  std::vector<CellIndex> hidden;
+  for (const CellIndex door : doors) {
+    ways.push_back(straight(door, centre));
+    if (ways.back().empty()) hidden.push_back(door);
+  }
+  if (hidden.empty()) return ways;
+  search(centre, hidden);
+  const auto steps = neighbour_steps(ground_.stride());
+  for (std::size_t i = 0; i < doors.size(); ++i) {
+    if (!ways[i].empty()) continue;
+    for (CellIndex cell = doors[i]; cell != centre && cost_[cell] < kUnreached;
+         cell -= steps[back_[cell]])
+      ways[i].push_back(cell);
+    ways[i].push_back(centre);
+  }
+  return ways;
+}
+
+std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const {
+  const std::int32_t region = regions_[from];
+  const std::int32_t least = std::min(ground_.squared(from), ground_.squared(to)) / 2;
+  const std::int32_t x0 = ground_.column(from), y0 = ground_.row(from);
+  const std::int32_t dx = ground_.column(to) - x0, dy = ground_.row(to) - y0;
+  const std::int32_t count = std::max(std::abs(dx), std::abs(dy));
+  std::vector<CellIndex> cells{from};
+  for (std::int32_t i = 1; i <= count; ++i) {
+    const auto part = [&](std::int64_t whole) {
+      const std::int64_t twice = 2 * whole * i + (whole < 0 ? -count : count);
+      return static_cast<std::int32_t>(twice / (2 * count));
+    };
+    const CellIndex cell = ground_.index(x0 + part(dx), y0 + part(dy));
+    if (regions_[cell] != region || !ground_.free(cell) || ground_.squared(cell) < least) return {};
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) {
+  std::int32_t wide = ground_.squared(centre);
+  for (const CellIndex door : doors) wide = std::max(wide, ground_.squared(door));
+  const auto steps = neighbour_steps(ground_.stride());
+  const std::int32_t region = regions_[centre];
+  using Entry = std::pair<float, CellIndex>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  cost_[centre] = 0;
+  open.push({0.0F, centre});
+  std::vector<CellIndex> wanted = doors;
+  std::sort(wanted.begin(), wanted.end());
+  std::size_t left = static_cast<std::size_t>(
+      std::unique(wanted.begin(), wanted.end()) - wanted.begin());
+  wanted.resize(left);
+  while (!open.empty() && left > 0) {
+    const auto [cost, cell] = open.top();
+    open.pop();
+    if (cost > cost_[cell]) continue;
+    if (std::binary_search(wanted.begin(), wanted.end(), cell)) --left;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const CellIndex next = cell + steps[i];
+      if (regions_[next] != region || !ground_.free(next)) continue;
+      const float length = i < 4 ? 1.0F : 1.41421356F;
+      const float penalty = std::min(kMostPenalty, static_cast<float>(wide) /
+                                                       static_cast<float>(ground_.squared(next)));
+      const float there = cost + length * (1 + penalty);
+      if (there >= cost_[next]) continue;
+      cost_[next] = there;
+      back_[next] = static_cast<std::uint8_t>(i);
+      open.push({there, next});
+    }
+  }
+}
+
+}  // namespace stope::topology
