@@ -88,10 +88,10 @@ class RegionGrowing final
 
  private:
   GrowingParams growing() const {
-    return {params.growth_radius, params.max_radius,   params.radius_weight,
+    return {params.growth_radius,  params.max_radius,     params.radius_weight,
             params.addition_ratio, params.obstacle_ratio, params.second_radius,
-            params.merge_radius,  params.merge_area,   params.merge_obstacle_ratio,
-            params.coverage,      params.mode == "paper"};
+            params.merge_radius,   params.merge_area,     params.merge_obstacle_ratio,
+            params.coverage,       params.mode == "paper"};
   }
 
   static std::vector<CellIndex> visited_cells(const Ground& ground,

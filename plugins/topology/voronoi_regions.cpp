@@ -13,7 +13,7 @@ class VoronoiRegions final
     : public Map<Outputs<RoadGraph, RegionMap>(OccupancyGrid, Optional<Trajectory>)> {
  public:
   struct Params : ExtractionParams, NetworkParams {
-    double door_ratio = 0.8;
+    double door_ratio = 0.9;
     double min_region_area = 50.0;
   } params;
 

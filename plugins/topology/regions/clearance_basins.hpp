@@ -6,7 +6,7 @@ namespace stope::topology {
 
 /// When two rooms are two.
 struct DoorRule {
-  double door_ratio = 0.8;  ///< a door's clearance over that of the smaller room, at most
+  double door_ratio = 0.9;  ///< a door's clearance over that of the smaller room, at most
   double least_area = 20;   ///< cells of the smallest room; smaller ones join a neighbour
 };
 

@@ -20,9 +20,10 @@ struct NetworkParams {
 template <class Stage>
 void describe_network(About<Stage>& about) {
   about
-      .param("network", &NetworkParams::network, one_of({"none", "mst", "spanner"}),
-             "How the network is thinned: not at all, to a spanning tree (mst: no loop is left), or "
-             "to a spanner.")
+      .param(
+          "network", &NetworkParams::network, one_of({"none", "mst", "spanner"}),
+          "How the network is thinned: not at all, to a spanning tree (mst: no loop is left), or "
+          "to a spanner.")
       .param("stretch", &NetworkParams::stretch, at_least(1.0),
              "How much longer a way in the spanner may be than before.");
 }
@@ -54,9 +55,10 @@ inline void report_regions(const RegionsAndRoads& result, const ExtractionParams
                    "regions give more, or check the map's resolution"
       : result.neighbours == 0
           ? std::string("no two of its regions touch each other")
-          : fmt::format("every way between two regions is narrower than twice min_clearance ({} "
-                        "m); lower it, or check the map's resolution",
-                        params.min_clearance);
+          : fmt::format(
+                "every way between two regions is narrower than twice min_clearance ({} "
+                "m); lower it, or check the map's resolution",
+                params.min_clearance);
   report_roads(result.roads, params, why, context);
 }
 

@@ -11,16 +11,23 @@
 namespace stope::topology {
 namespace {
 
-/// The free cell of a region nearest to a point.
-class NearestOwnCell {
+/// The cell of a region nearest to a point that has at least half the region's best clearance: a
+/// bend's centre lies beside it or at its wall, where no road can start.
+class NearestClearCell {
  public:
-  NearestOwnCell(const Ground& ground, const RegionCells& regions)
-      : ground_(ground), regions_(regions) {}
+  NearestClearCell(const Ground& ground, const RegionCells& regions, std::int32_t count)
+      : ground_(ground), regions_(regions), best_(static_cast<std::size_t>(count) + 1, 0) {
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      const auto cell = static_cast<CellIndex>(i);
+      auto& best = best_[static_cast<std::size_t>(regions[cell])];
+      best = std::max(best, ground.squared(cell));
+    }
+  }
 
   ShapePoint find(const ShapePoint& point, std::int32_t region, const RegionShape& shape) const {
     const auto column = static_cast<std::int32_t>(std::lround(point.x));
     const auto row = static_cast<std::int32_t>(std::lround(point.y));
-    if (owns(column, row, region)) return point;
+    if (serves(column, row, region)) return point;
     std::int32_t left = shape.hull.front().x, right = left, bottom = shape.hull.front().y,
                  top = bottom;
     for (const HullPoint& corner : shape.hull) {
@@ -34,7 +41,7 @@ class NearestOwnCell {
     for (std::int32_t y = bottom; y <= top; ++y) {
       for (std::int32_t x = left; x <= right; ++x) {
         const double off = (x - point.x) * (x - point.x) + (y - point.y) * (y - point.y);
-        if (off >= least || !owns(x, y, region)) continue;
+        if (off >= least || !serves(x, y, region)) continue;
         least = off;
         nearest = {static_cast<double>(x), static_cast<double>(y)};
       }
@@ -43,13 +50,15 @@ class NearestOwnCell {
   }
 
  private:
-  bool owns(std::int32_t column, std::int32_t row, std::int32_t region) const {
+  bool serves(std::int32_t column, std::int32_t row, std::int32_t region) const {
     if (column < 0 || row < 0 || column >= ground_.width() || row >= ground_.height()) return false;
     const CellIndex cell = ground_.index(column, row);
-    return regions_[cell] == region && ground_.free(cell);
+    return regions_[cell] == region && ground_.free(cell) &&
+           ground_.squared(cell) >= best_[static_cast<std::size_t>(region)] / 4;
   }
   const Ground& ground_;
   const RegionCells& regions_;
+  std::vector<std::int32_t> best_;  ///< by region: its largest squared clearance
 };
 
 std::vector<std::size_t> order_of(std::size_t count) {
@@ -87,7 +96,7 @@ RegionsAndRoads finish_regions(const Ground& ground, const RegionCells& cells, s
                                const RegionRoadsRule& rule, const Checkpoint& checkpoint) {
   const std::vector<RegionShape> shapes = shapes_of(ground, cells, count, checkpoint);
   const std::vector<Border> borders = find_borders(ground, cells, checkpoint);
-  const NearestOwnCell nearest(ground, cells);
+  const NearestClearCell nearest(ground, cells, count);
   std::vector<ShapePoint> centres;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     centres.push_back(nearest.find(centre_of_gravity(shapes[i].hull, shapes[i].hull.front()),
@@ -133,9 +142,9 @@ RegionsAndRoads finish_regions(const Ground& ground, const RegionCells& cells, s
       result.map.labels.cells.push_back(label[static_cast<std::size_t>(cells[cell])]);
     }
   }
-  result.covered = ground.free_cells() == 0 ? 0
-                                            : static_cast<double>(covered) /
-                                                  static_cast<double>(ground.free_cells());
+  result.covered = ground.free_cells() == 0
+                       ? 0
+                       : static_cast<double>(covered) / static_cast<double>(ground.free_cells());
   return result;
 }
 

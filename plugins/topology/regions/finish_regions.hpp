@@ -15,7 +15,7 @@ struct RegionsAndRoads {
 };
 
 /// Measures the regions 1 … count: each one's centre is that of its convex hull or, if that is not
-/// in the region, the nearest cell of it.
+/// in the region or too near its walls, the nearest cell that has half the region's best clearance.
 RegionsAndRoads finish_regions(const Ground& ground, const RegionCells& regions, std::int32_t count,
                                const RegionRoadsRule& rule, const Checkpoint& checkpoint);
 

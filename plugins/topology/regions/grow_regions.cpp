@@ -92,6 +92,7 @@ class Growing {
       if (!was) return;
       if (!changed_near(point.cell, old[next_].growth.scanned)) {
         keep(std::move(old[next_++]));
+        ++earlier_->reused;
         return;
       }
     }

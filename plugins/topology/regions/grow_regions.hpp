@@ -21,6 +21,7 @@ struct GrownRegion {
 struct EarlierGrowth {
   std::vector<GrownRegion> regions;
   ChangedTiles changed;
+  std::size_t reused = 0;  ///< is counted
 };
 
 /// Grows regions from the points, group after group, until every point is in one. Within a group

@@ -73,8 +73,9 @@ void GrowingHull::add(const HullPoint& point, const Addition& addition) {
   std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(addition.first),
               corners.end());
   const auto gone = static_cast<std::ptrdiff_t>(addition.count) - 1;
-  corners.erase(corners.begin() + 1, corners.begin() + 1 + std::min<std::ptrdiff_t>(
-                                         gone, static_cast<std::ptrdiff_t>(count) - 1));
+  corners.erase(
+      corners.begin() + 1,
+      corners.begin() + 1 + std::min<std::ptrdiff_t>(gone, static_cast<std::ptrdiff_t>(count) - 1));
   corners.insert(corners.begin() + 1, point);
 }
 

@@ -42,6 +42,4 @@ class GrowingHull {
   std::vector<HullPoint> corners_;
 };
 
-
 }  // namespace stope::topology
-

@@ -12,7 +12,9 @@
 namespace stope::topology {
 namespace {
 
-double distance(const ShapePoint& a, const ShapePoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(const ShapePoint& a, const ShapePoint& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
 
 ShapePoint centre(const RegionShape& shape) {
   return centre_of_gravity(shape.hull, shape.hull.front());
@@ -63,9 +65,9 @@ class Merging {
   std::vector<Border> tree_of(const std::vector<Border>& borders, std::int32_t count) const {
     std::vector<Link> links;
     for (const Border& border : borders)
-      links.push_back({border.first - 1, border.second - 1,
-                       distance(centre(shapes_[place(border.first)]),
-                                centre(shapes_[place(border.second)]))});
+      links.push_back(
+          {border.first - 1, border.second - 1,
+           distance(centre(shapes_[place(border.first)]), centre(shapes_[place(border.second)]))});
     std::vector<Border> tree;
     for (const std::size_t i : spanning_tree(count, links)) tree.push_back(borders[i]);
     return tree;
@@ -100,8 +102,7 @@ class Merging {
       inside += right - left + 1;
     });
     const std::int64_t own = first.cells + second.cells;
-    return static_cast<double>(inside - own) <=
-           rule_.obstacle_ratio * static_cast<double>(own);
+    return static_cast<double>(inside - own) <= rule_.obstacle_ratio * static_cast<double>(own);
   }
 
   /// Lines 4 to 18 of Algorithm 2: only the cells in a disc of the mean radius around the centre,
@@ -128,8 +129,7 @@ class Merging {
       for (const HullPoint& cell : failed)
         inside += cell.y == row && cell.x >= left && cell.x <= right ? 1 : 0;
     });
-    return static_cast<double>(inside) <=
-           rule_.obstacle_ratio * static_cast<double>(own.size());
+    return static_cast<double>(inside) <= rule_.obstacle_ratio * static_cast<double>(own.size());
   }
 
   /// The second takes the first in.

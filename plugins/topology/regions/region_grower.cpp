@@ -60,8 +60,8 @@ Growth RegionGrower::grow(const PaddedGrid<std::uint8_t>& open, CellIndex from) 
     }
     if (static_cast<double>(qualified) < rule_.addition_ratio * static_cast<double>(ring.size()))
       break;
-    const double pass_ratio = static_cast<double>(growth.cells.size()) /
-                              static_cast<double>(rings_.cells_within(r));
+    const double pass_ratio =
+        static_cast<double>(growth.cells.size()) / static_cast<double>(rings_.cells_within(r));
     radius = std::min(bound, radius + rule_.radius_weight * pass_ratio * radius);
   }
   if (!clear) {

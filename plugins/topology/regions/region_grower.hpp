@@ -11,12 +11,12 @@ namespace stope::topology {
 
 /// How a region grows (Wang et al. 2019, sec. 2.1). Lengths in cells.
 struct GrowthRule {
-  double growth_radius = 10;      ///< R_max at the start
-  double max_radius = 30;         ///< R_max never passes this; the paper has no such bound
-  double radius_weight = 1;       ///< R_w of eq. 1
-  double addition_ratio = 0.3;    ///< r_a: a ring with a smaller share of qualified points is last
-  double obstacle_ratio = 0.05;   ///< r_o: most unqualified points in the hull for a qualified one
-  bool as_printed = false;        ///< Algorithm 1 to the letter: see docs/regions.md
+  double growth_radius = 10;     ///< R_max at the start
+  double max_radius = 30;        ///< R_max never passes this; the paper has no such bound
+  double radius_weight = 1;      ///< R_w of eq. 1
+  double addition_ratio = 0.3;   ///< r_a: a ring with a smaller share of qualified points is last
+  double obstacle_ratio = 0.05;  ///< r_o: most unqualified points in the hull for a qualified one
+  bool as_printed = false;       ///< Algorithm 1 to the letter: see docs/regions.md
 };
 
 /// What grew from a point.
@@ -54,7 +54,7 @@ class RegionGrower {
   GrowingHull hull_;
   std::vector<std::uint8_t> marks_;  ///< State by offset, within reach_ of the growth point
   std::int32_t reach_ = 0;
-  std::int32_t clear_ = 0;           ///< rings up to this one are open throughout
+  std::int32_t clear_ = 0;  ///< rings up to this one are open throughout
   std::size_t failed_in_hull_ = 0;
 };
 

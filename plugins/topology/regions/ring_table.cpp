@@ -41,7 +41,8 @@ void RingTable::reach(std::int32_t radius) {
         const std::int64_t fourfold = 4 * (dx * dx + dy * dy);
         if (fourfold < least || fourfold >= past) return false;
         cells_.push_back({static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy)});
-        if (dx != 0) cells_.push_back({static_cast<std::int16_t>(-dx), static_cast<std::int16_t>(dy)});
+        if (dx != 0)
+          cells_.push_back({static_cast<std::int16_t>(-dx), static_cast<std::int16_t>(dy)});
         return true;
       };
       auto dx = static_cast<std::int64_t>(

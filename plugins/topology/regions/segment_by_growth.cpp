@@ -17,10 +17,11 @@ namespace {
 GrowthRule growth_rule(const GrowingParams& params, const GridFrame& frame) {
   GrowthRule rule;
   // Beyond the map there is nothing to grow into.
-  const double most = std::min<double>(RingTable::kMostRings, std::hypot(frame.width, frame.height));
+  const double most =
+      std::min<double>(RingTable::kMostRings, std::hypot(frame.width, frame.height));
   rule.growth_radius = std::min(most, params.growth_radius / frame.resolution);
-  rule.max_radius = std::min(most, std::max(params.growth_radius, params.max_radius) /
-                                       frame.resolution);
+  rule.max_radius =
+      std::min(most, std::max(params.growth_radius, params.max_radius) / frame.resolution);
   rule.radius_weight = params.radius_weight;
   rule.addition_ratio = params.addition_ratio;
   rule.obstacle_ratio = params.obstacle_ratio;
@@ -84,13 +85,16 @@ std::vector<GrownRegion> grow(const Ground& ground, const std::vector<CellIndex>
   const std::vector<std::vector<GrowthPoint>> groups{
       points_at(ground, visited, rule.max_radius),
       middle_points(ground, rule.max_radius, checkpoint)};
+  if (memory) memory->reused = 0;
   if (!memory || !memory->ground || memory->visited != visited ||
       !(memory->ground->frame() == ground.frame()))
     return grow_regions(ground, groups, rule, checkpoint);
   EarlierGrowth earlier{std::move(memory->regions),
                         difference(ground, *memory->ground, rule.max_radius)};
   memory->ground.reset();  // a memory half used is none
-  return grow_regions(ground, groups, rule, checkpoint, &earlier);
+  auto grown = grow_regions(ground, groups, rule, checkpoint, &earlier);
+  memory->reused = earlier.reused;
+  return grown;
 }
 
 }  // namespace
@@ -100,7 +104,7 @@ std::vector<CellIndex> cells_visited(const Ground& ground, const Trajectory& tra
   std::vector<CellIndex> cells;
   outside = blocked = 0;
   for (const StampedPose& stamped : trajectory.poses) {
-    const auto& place = stamped.pose.translation;
+    const auto& place = stamped.T_map_lidar.translation;
     const auto cell = ground.frame().cell_at(place.x(), place.y());
     if (!cell) {
       ++outside;

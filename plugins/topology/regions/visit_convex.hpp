@@ -39,8 +39,7 @@ void visit_convex(std::span<const HullPoint> corners, Visit&& visit) {
         last = first - 1;
       }
     }
-    if (first <= last)
-      visit(y, static_cast<std::int32_t>(first), static_cast<std::int32_t>(last));
+    if (first <= last) visit(y, static_cast<std::int32_t>(first), static_cast<std::int32_t>(last));
   }
 }
 

@@ -1,7 +1,8 @@
 // Problem: from the centre of a region to each place where it can be left, stay off the walls.
-// Idea: the straight line, if it stays in the region and about as clear as its ends; else Dijkstra's
-// algorithm over the region's cells, where a step costs more the nearer the walls are.
-// Cost: a region's cells times the logarithm of their number at worst; most regions need only lines.
+// Idea: the straight line, if it stays in the region and about as clear as its ends; else
+// Dijkstra's algorithm over the region's cells, where a step costs more the nearer the walls are.
+// Cost: a region's cells times the logarithm of their number at worst; most regions need only
+// lines.
 #include "plugins/topology/regions/ways_to_doors.hpp"
 
 #include <algorithm>
@@ -78,8 +79,8 @@ void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) 
   open.push({0.0F, centre});
   std::vector<CellIndex> wanted = doors;
   std::sort(wanted.begin(), wanted.end());
-  std::size_t left = static_cast<std::size_t>(
-      std::unique(wanted.begin(), wanted.end()) - wanted.begin());
+  std::size_t left =
+      static_cast<std::size_t>(std::unique(wanted.begin(), wanted.end()) - wanted.begin());
   wanted.resize(left);
   while (!open.empty() && left > 0) {
     const auto [cost, cell] = open.top();
@@ -90,8 +91,8 @@ void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) 
       const CellIndex next = cell + steps[i];
       if (regions_[next] != region || !ground_.free(next)) continue;
       const float length = i < 4 ? 1.0F : 1.41421356F;
-      const float penalty = std::min(kMostPenalty, static_cast<float>(wide) /
-                                                       static_cast<float>(ground_.squared(next)));
+      const float penalty = std::min(
+          kMostPenalty, static_cast<float>(wide) / static_cast<float>(ground_.squared(next)));
       const float there = cost + length * (1 + penalty);
       if (there >= cost_[next]) continue;
       cost_[next] = there;

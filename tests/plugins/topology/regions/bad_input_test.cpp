@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/plugins/topology/regions/region_stages.hpp"
+
+namespace stope::topology {
+namespace {
+
+std::string error_with(const StageEntry* entry, const OccupancyGrid& grid) {
+  return error_of([&] { for_rooms(entry).input("grid", grid).apply<RoadGraph>(); });
+}
+
+TEST(RegionStages, RefuseGridsThatCannotBe) {
+  for (const StageEntry* entry : region_stages()) {
+    EXPECT_NE(error_with(entry, {}).find("is empty"), std::string::npos);
+    EXPECT_NE(error_with(entry, grid_of({"###", "###"})).find("no free cell"), std::string::npos);
+    for (const double resolution : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+      OccupancyGrid grid = two_rooms();
+      grid.frame.resolution = resolution;
+      EXPECT_NE(error_with(entry, grid).find("resolution"), std::string::npos) << resolution;
+    }
+    OccupancyGrid torn = two_rooms();
+    torn.cells.pop_back();
+    EXPECT_NE(error_with(entry, torn).find("holds"), std::string::npos);
+  }
+}
+
+TEST(RegionStages, OneFreeCellIsOneRegionWithoutARoad) {
+  for (const StageEntry* entry : region_stages()) {
+    const OccupancyGrid grid = grid_of({"###", "#.#", "###"}, 0.1);
+    EXPECT_NE(error_with(entry, grid).find("one single region"), std::string::npos);
+    StageHarness stage = for_rooms(entry);
+    stage.set("allow_empty", true).input("grid", grid);
+    EXPECT_EQ(stage.apply<RegionMap>(1).regions.size(), 1U);
+    EXPECT_EQ(stage.apply<RoadGraph>(0).nodes.size(), 1U);
+  }
+}
+
+TEST(RegionStages, AFullyFreeGridIsCovered) {
+  for (const StageEntry* entry : region_stages()) {
+    StageHarness stage = for_rooms(entry);
+    const OccupancyGrid grid = grid_where(12, 9, 0.1, [](double, double) { return true; });
+    stage.set("allow_empty", true).input("grid", grid);
+    const auto map = stage.apply<RegionMap>(1);
+    EXPECT_EQ(std::count(map.labels.cells.begin(), map.labels.cells.end(), 0), 0);
+  }
+}
+
+TEST(RegionStages, PiecesThatDoNotTouchHaveGraphsOfTheirOwnAndItIsSaid) {
+  for (const StageEntry* entry : region_stages()) {
+    const OccupancyGrid rooms = two_rooms();
+    OccupancyGrid grid = rooms;  // twice, one above the other
+    grid.frame.height *= 2;
+    grid.cells.insert(grid.cells.end(), rooms.cells.begin(), rooms.cells.end());
+    StageHarness stage = for_rooms(entry);
+    stage.input("grid", grid);
+    EXPECT_EQ(stage.apply<RegionMap>(1).regions.size(), 4U);
+    EXPECT_EQ(stage.apply<RoadGraph>(0).edges.size(), 2U);
+    const auto& said = stage.context().sentences;
+    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const std::string& sentence) {
+      return sentence.find("2 parts that do not touch") != std::string::npos;
+    }));
+  }
+}
+
+TEST(RegionStages, WhenAllDoorsAreTooNarrowTheySayWhatToDo) {
+  for (const StageEntry* entry : region_stages()) {
+    const std::string said = error_of([&] {
+      for_rooms(entry).set("min_clearance", 0.7).input("grid", two_rooms()).apply<RoadGraph>();
+    });
+    EXPECT_NE(said.find("narrower than twice min_clearance (0.7 m)"), std::string::npos) << said;
+  }
+}
+
+TEST(RegionGrowing, ATrajectoryOffTheMapOrInObstaclesIsSaidAndDoesNotHurt) {
+  Trajectory trajectory;
+  for (const double x : {-5.0, 0.05, 2.0}) {
+    trajectory.poses.push_back({static_cast<Stamp>(trajectory.poses.size()), {}});
+    trajectory.poses.back().T_map_lidar.translation = {x, 2, 0};
+  }
+  StageHarness stage = for_rooms(stope_stage_RegionGrowing());
+  stage.input("grid", two_rooms()).input("trajectory", trajectory);
+  EXPECT_EQ(stage.apply<RegionMap>(1).regions.size(), 2U);
+  EXPECT_NE(stage.context().sentences[0].find(
+                "1 of the trajectory's 3 poses lie outside of the map and 1 in cells"),
+            std::string::npos)
+      << stage.context().sentences[0];
+  trajectory.poses.pop_back();
+  stage.input("trajectory", trajectory);
+  EXPECT_EQ(stage.apply<RegionMap>(1).regions.size(), 2U);
+  EXPECT_NE(stage.context().sentences[3].find("None is left"), std::string::npos);
+  stage.input("trajectory", Trajectory{});
+  EXPECT_EQ(stage.apply<RegionMap>(1).regions.size(), 2U);
+}
+
+TEST(RegionGrowing, ACellLargerThanTheGrowthRadiusIsRefused) {
+  OccupancyGrid grid = two_rooms();
+  grid.frame.resolution = 1000;
+  EXPECT_NE(error_with(stope_stage_RegionGrowing(), grid).find("less than one cell"),
+            std::string::npos);
+}
+
+TEST(RegionGrowing, AnAbsurdlyFineResolutionDoesNotTakeForever) {
+  OccupancyGrid grid = two_rooms();
+  grid.frame.resolution = 1e-9;
+  StageHarness stage = for_rooms(stope_stage_RegionGrowing());
+  stage.set("allow_empty", true).set("min_clearance", 0.0).set("min_obstacle_area", 0.0);
+  EXPECT_GE(stage.input("grid", grid).apply<RegionMap>(1).regions.size(), 1U);
+}
+
+TEST(RegionStages, GiveUpWhenTheRunIsCancelled) {
+  for (const StageEntry* entry : region_stages()) {
+    StageHarness stage = for_rooms(entry);
+    stage.input("grid", two_rooms()).context().cancel = true;
+    EXPECT_THROW(stage.apply<RoadGraph>(), Cancelled);
+  }
+}
+
+}  // namespace
+}  // namespace stope::topology
