@@ -13,7 +13,8 @@ class VoronoiRegions final
     : public Map<Outputs<RoadGraph, RegionMap>(OccupancyGrid, Optional<Trajectory>)> {
  public:
   struct Params : ExtractionParams, NetworkParams {
-    double door_ratio = 0.9;
+    double door_ratio = 0.93;
+    double similar_ratio = 0.8;
     double min_region_area = 50.0;
   } params;
 
@@ -36,6 +37,8 @@ class VoronoiRegions final
     about
         .param("door_ratio", &Params::door_ratio, between(0.0, 1.0),
                "Widest door, as a share of the width of the narrower of the two regions it joins.")
+        .param("similar_ratio", &Params::similar_ratio, between(0.0, 1.0),
+               "… and as a share of the geometric mean of both: a corridor's pieces stay together.")
         .param("min_region_area", &Params::min_region_area, "m^2", at_least(0.0),
                "Smaller regions join the neighbour they are most open to.");
   }
@@ -47,7 +50,8 @@ class VoronoiRegions final
     const double cell = grid.frame.resolution * grid.frame.resolution;
     std::int32_t count = 0;
     const RegionCells regions = divide_at_doors(
-        ground, {params.door_ratio, params.min_region_area / cell}, count, checkpoint);
+        ground, {params.door_ratio, params.similar_ratio, params.min_region_area / cell}, count,
+        checkpoint);
     RegionsAndRoads result =
         finish_regions(ground, regions, count, roads_rule(params, params), checkpoint);
     report_regions(result, params, context);

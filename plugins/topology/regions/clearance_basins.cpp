@@ -152,8 +152,11 @@ RegionCells divide_at_doors(const Ground& ground, const DoorRule& rule, std::int
     for (std::size_t k = 0; k < met; ++k) {
       const std::int32_t own = basins.find(best), other = basins.find(roots[k]);
       if (own == other) continue;
-      const double smaller = half_width(std::min(basins.peak(own), basins.peak(other)));
-      if (half_width(squared) > rule.door_ratio * smaller) basins.join(own, other);
+      const double first = half_width(basins.peak(own)), second = half_width(basins.peak(other));
+      const double saddle = half_width(squared);
+      const bool door = saddle <= rule.door_ratio * std::min(first, second) &&
+                        saddle <= rule.similar_ratio * std::sqrt(first * second);
+      if (!door) basins.join(own, other);
     }
     regions[cell] = basins.find(best) + 1;
   }

@@ -27,6 +27,11 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+double number(const char* name, double fallback) {
+  const char* text = std::getenv(name);
+  return text ? std::atof(text) : fallback;
+}
+
 topology::ExtractionParams room_extraction() {
   topology::ExtractionParams params;
   params.min_clearance = 0.2;
@@ -52,8 +57,8 @@ topology::RegionsAndRoads voronoi(const OccupancyGrid& grid, double door_ratio, 
   const Ground ground(grid, extraction);
   std::int32_t count = 0;
   const double cell = grid.frame.resolution * grid.frame.resolution;
-  const auto regions =
-      topology::divide_at_doors(ground, {door_ratio, least_area / cell}, count, [] {});
+  const auto regions = topology::divide_at_doors(
+      ground, {door_ratio, number("SIMILAR", 0.8), least_area / cell}, count, [] {});
   return topology::finish_regions(
       ground, regions, count,
       {extraction.min_clearance, extraction.simplify, topology::Network::kAll, 1.5}, [] {});
@@ -71,38 +76,113 @@ void paint(const RegionMap& map, const std::string& name) {
     write_picture(map, std::filesystem::path(folder) / (name + ".png"));
 }
 
-double number(const char* name, double fallback) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : fallback;
+/// Seconds of thread CPU time, least and median of a few runs.
+void time_member(const std::string& name, const char* member,
+                 const std::function<topology::RegionsAndRoads()>& segment) {
+  std::vector<double> times;
+  topology::RegionsAndRoads result;
+  for (int run = 0; run < static_cast<int>(number("RUNS", 3)); ++run) {
+    const double start = thread_seconds();
+    result = segment();
+    times.push_back(thread_seconds() - start);
+  }
+  paint(result.map, name + "-" + member);
+  std::sort(times.begin(), times.end());
+  fmt::print("{:22} {:28} {:6} regions {:6} roads, covered {:.4f}: min {:.3f} s, median {:.3f} s\n",
+             name, member, result.map.regions.size(), result.roads.edges.size(), result.covered,
+             times.front(), times[times.size() / 2]);
 }
 
-/// Large maps: seconds of thread CPU time, least and median of five.
-void time_large(const char* name, const OccupancyGrid& grid) {
-  for (int member = 0; member < 2; ++member) {
-    std::vector<double> times;
-    std::size_t regions = 0, roads = 0;
-    double covered = 0;
-    for (int run = 0; run < static_cast<int>(number("RUNS", 3)); ++run) {
-      const double start = thread_seconds();
-      const auto result = member == 0
-                              ? voronoi(grid, 0.9, 50, {})
-                              : growing(grid, {}, {}, {2.0, 0.2, topology::Network::kAll, 1.5});
-      times.push_back(thread_seconds() - start);
-      regions = result.map.regions.size();
-      roads = result.roads.edges.size();
-      covered = result.covered;
-      if (run == 0) paint(result.map, std::string(name) + (member == 0 ? "-voronoi" : "-growing"));
+void time_large(const std::string& name, const OccupancyGrid& grid) {
+  const topology::RegionRoadsRule roads{2.0, 0.2, topology::Network::kAll, 1.5};
+  time_member(name, "voronoi_regions", [&] { return voronoi(grid, 0.93, 50, {}); });
+  time_member(name, "region_growing", [&] { return growing(grid, {}, {}, roads); });
+  // A square of 200 x 200 cells in the middle of free space becomes an obstacle, and free again.
+  topology::GrowthMemory memory;
+  const auto again = [&](const OccupancyGrid& now) {
+    return topology::segment_by_growth(std::make_unique<Ground>(now, topology::ExtractionParams{}),
+                                       {}, {}, roads, Random(1), topology::never_stop, &memory);
+  };
+  const auto first = again(grid);
+  OccupancyGrid changed = grid;
+  const auto at = grid.frame.cell_at(first.map.regions[0].x, first.map.regions[0].y);
+  for (std::int32_t y = -100; at && y < 100; ++y)
+    for (std::int32_t x = -100; x < 100; ++x)
+      if (const Cell cell{at->column + x, at->row + y}; grid.frame.contains(cell))
+        changed.cells[grid.frame.place(cell)] = OccupancyGrid::kOccupied;
+  bool flip = false;
+  time_member(name, "region_growing, 200 x 200 changed", [&] {
+    flip = !flip;
+    return again(flip ? changed : grid);
+  });
+  fmt::print("{:22} {} of {} growths used again\n", "", memory.reused, memory.regions.size());
+}
+
+/// Table 1 of Wang et al.: their rooms, and ours at the same resolution.
+void table_one(const std::filesystem::path& folder) {
+  struct Row {
+    const char* name;
+    double area;
+    int vertices;
+    double covered, metric, topological;
+  };
+  fmt::print(
+      "\nTable 1 (cells of 0.20 m; growth radius 1.2 to 3 m, R_w = 1)\n{:24} {:>8} {:>8} {:>8} "
+      "{:>11} {:>16} {:>6}\n",
+      "", "area m^2", "vertices", "covered", "metric kB", "topological kB", "ratio");
+  for (const Row& row : {Row{"Wang: indoor", 171.224, 31, 0.922444, 36.0183, 109.46},
+                         Row{"Wang: office", 115.389, 22, 0.985809, 30.0172, 91.27},
+                         Row{"Wang: pillar", 129.821, 15, 0.984625, 20.0172, 72.061},
+                         Row{"Wang: open", 171.261, 15, 0.936123, 16.0172, 48.0853},
+                         Row{"Wang: laboratory", 277.999, 16, 0.883049, 30.0181, 90.0903}})
+    fmt::print("{:24} {:8.1f} {:8} {:8.4f} {:11.2f} {:16.2f} {:6.3f}\n", row.name, row.area,
+               row.vertices, row.covered, row.metric, row.topological,
+               row.topological / row.metric);
+  for (const char* name : {"lab_ipa", "lab_c_scan", "lab_b_scan", "lab_d_scan", "lab_intel"}) {
+    const auto picture = folder / (std::string(name) + ".png");
+    if (!std::filesystem::exists(picture)) continue;
+    const OccupancyGrid grid = coarser(read_rooms(picture, kResolution), 4);
+    for (const bool printed : {false, true}) {
+      topology::ExtractionParams extraction = room_extraction();
+      extraction.min_obstacle_area = 0.1;
+      topology::GrowingParams params = room_growing();
+      params.as_printed = printed;
+      const auto result = growing(grid, params, extraction, room_roads());
+      paint(result.map, std::string(name) + (printed ? "-table-paper" : "-table"));
+      const double free = static_cast<double>(std::count(grid.cells.begin(), grid.cells.end(),
+                                                         OccupancyGrid::kFree)) *
+                          grid.frame.resolution * grid.frame.resolution;
+      const auto header =
+          fmt::format("P5\n{} {}\n255\n", grid.frame.width, grid.frame.height).size();
+      const auto kilobytes = [&](std::size_t channels) {
+        return static_cast<double>(header + channels * grid.cells.size()) / 1000;
+      };
+      fmt::print("{:24} {:8.1f} {:8} {:8.4f} {:11.2f} {:16.2f} {:6.3f}\n",
+                 std::string(name) + (printed ? ", mode: paper" : ""), free,
+                 result.map.regions.size(), result.covered, kilobytes(1), kilobytes(3),
+                 kilobytes(3) / kilobytes(1));
     }
-    std::sort(times.begin(), times.end());
-    fmt::print(
-        "{:24} {:16} {:5} regions {:5} roads, covered {:.4f}: min {:.3f} s, median {:.3f} s\n",
-        name, member == 0 ? "voronoi_regions" : "region_growing", regions, roads, covered,
-        times.front(), times[times.size() / 2]);
   }
 }
 
+/// Blocks of 64 x 64 cells, 60 % of them free.
+OccupancyGrid blocks(std::int32_t side) {
+  Random random(1);
+  OccupancyGrid grid;
+  grid.frame.width = grid.frame.height = side;
+  grid.frame.resolution = 0.5;
+  grid.cells.assign(grid.frame.size(), OccupancyGrid::kOccupied);
+  for (std::int32_t row = 0; row < side; row += 64)
+    for (std::int32_t column = 0; column < side; column += 64)
+      if (random.uniform() < 0.6)
+        for (std::int32_t y = row; y < row + 64; ++y)
+          for (std::int32_t x = column; x < column + 64; ++x)
+            grid.cells[grid.frame.place({x, y})] = OccupancyGrid::kFree;
+  return grid;
+}
+
 void score_rooms(const std::vector<RoomMap>& maps) {
-  const double ratio = number("DOOR_RATIO", 0.9), least = number("LEAST_AREA", 1.0);
+  const double ratio = number("DOOR_RATIO", 0.93), least = number("LEAST_AREA", 1.0);
   struct Sum {
     double recall = 0, precision = 0, mcc = 0, mean = 0, pairs = 0;
     int count = 0;
@@ -152,7 +232,10 @@ int main() {
   const auto maps = room_maps(folder / "room_maps");
   if (maps.empty()) fmt::print("no room maps in {}: set STOPE_DATA\n", folder.string());
   score_rooms(maps);
+  table_one(folder / "room_maps");
+  if (number("RUNS", 3) < 1) return 0;
+  fmt::print("\nTime of one thread\n");
   const auto mine = folder / "open_pit_maps" / "dapai_0p5m.png";
-  if (number("RUNS", 3) > 0 && std::filesystem::exists(mine))
-    time_large("mine", read_rooms(mine, 0.5));
+  if (std::filesystem::exists(mine)) time_large("mine 4216 x 2591", read_rooms(mine, 0.5));
+  time_large("blocks 4096 x 4096", blocks(4096));
 }

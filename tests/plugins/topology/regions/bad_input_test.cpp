@@ -101,9 +101,11 @@ TEST(RegionGrowing, ACellLargerThanTheGrowthRadiusIsRefused) {
             std::string::npos);
 }
 
-TEST(RegionGrowing, AnAbsurdlyFineResolutionDoesNotTakeForever) {
+TEST(RegionGrowing, AnAbsurdlyFineResolutionIsRefusedAndAFineOneIsNot) {
   OccupancyGrid grid = two_rooms();
   grid.frame.resolution = 1e-9;
+  EXPECT_NE(error_with(stope_stage_RegionGrowing(), grid).find("resolution"), std::string::npos);
+  grid.frame.resolution = 0.001;
   StageHarness stage = for_rooms(stope_stage_RegionGrowing());
   stage.set("allow_empty", true).set("min_clearance", 0.0).set("min_obstacle_area", 0.0);
   EXPECT_GE(stage.input("grid", grid).apply<RegionMap>(1).regions.size(), 1U);

@@ -23,7 +23,7 @@ std::int32_t rooms_of(const OccupancyGrid& grid, double door_ratio, RegionCells*
   params.min_obstacle_area = 0;
   const Ground ground(grid, params);
   std::int32_t count = 0;
-  RegionCells regions = divide_at_doors(ground, {door_ratio, 1}, count, [] {});
+  RegionCells regions = divide_at_doors(ground, {door_ratio, 1, 1}, count, [] {});
   if (cells) *cells = std::move(regions);
   return count;
 }
