@@ -20,13 +20,44 @@ struct Exit {
   End end;
   std::size_t index = 0;  ///< of the place along the line, from the junction
   LinePoint place;
-  double dx = 0, dy = 0;
+  double dx = 0, dy = 0;  ///< of the stretch beyond the place, on the whole
+  double tx = 0, ty = 0;  ///< at the place itself
   bool directed = false;  ///< the road is long enough to have a direction
 };
 
 double distance_to_ray(const LinePoint& point, const Exit& exit) {
   return (point.x - exit.place.x) * exit.dy - (point.y - exit.place.y) * exit.dx;
 }
+
+double distance_to_tangent(const LinePoint& point, const Exit& exit) {
+  return (point.x - exit.place.x) * exit.ty - (point.y - exit.place.y) * exit.tx;
+}
+
+/// The direction at the begin of a curve, by least squares with a parabola a way + b way^2.
+class BeginDirection {
+ public:
+  void add(double way, double x, double y) {
+    const double square = way * way;
+    s2_ += square;
+    s3_ += square * way;
+    s4_ += square * square;
+    x1_ += way * x;
+    y1_ += way * y;
+    x2_ += square * x;
+    y2_ += square * y;
+  }
+  void give(Exit& exit) const {
+    exit.tx = x1_ * s4_ - x2_ * s3_;
+    exit.ty = y1_ * s4_ - y2_ * s3_;
+    const double norm = std::hypot(exit.tx, exit.ty);
+    const bool known = s2_ * s4_ - s3_ * s3_ > 1e-9 * s2_ * s4_ && norm > 0;
+    exit.tx = known ? exit.tx / norm : exit.dx;
+    exit.ty = known ? exit.ty / norm : exit.dy;
+  }
+
+ private:
+  double s2_ = 0, s3_ = 0, s4_ = 0, x1_ = 0, y1_ = 0, x2_ = 0, y2_ = 0;
+};
 
 class Straightener {
  public:
@@ -63,14 +94,18 @@ class Straightener {
     Exit exit{end, i, point(end, i), 0, 0, false};
     const double wanted = 2 * exit.place.distance;
     double beyond = 0;
+    BeginDirection begin;
     for (std::size_t k = i + 1; k < count(end) && beyond < wanted; ++k) {
       beyond += distance_between(point(end, k - 1), point(end, k));
-      exit.dx += point(end, k).x - exit.place.x;
-      exit.dy += point(end, k).y - exit.place.y;
+      const double x = point(end, k).x - exit.place.x, y = point(end, k).y - exit.place.y;
+      exit.dx += x;
+      exit.dy += y;
+      begin.add(beyond, x, y);
     }
     const double norm = std::hypot(exit.dx, exit.dy);
     exit.directed = beyond >= wanted / 2 && norm > 0;
     if (norm > 0) exit.dx /= norm, exit.dy /= norm;
+    begin.give(exit);
     return exit;
   }
 
@@ -102,12 +137,13 @@ class Straightener {
     std::size_t nearest = curve.size() / 2;
     double least = 1e300;
     for (std::size_t i = curve.size() / 8; i < curve.size() - curve.size() / 8; ++i) {
-      // Side roads often bend within the junction: they are not trusted all the way.
+      // Side roads often bend soon after the junction, so their direction where they leave it
+      // counts, not that of what follows, and even that is not trusted all the way.
       const double back = distance_between(curve[i], old);
-      double sum = 0.25 * back * back;
+      double sum = 0.5 * back * back;
       for (std::size_t k = 0; k < exits.size(); ++k) {
         if (k == first || k == second) continue;
-        const double off = exits[k].directed ? distance_to_ray(curve[i], exits[k])
+        const double off = exits[k].directed ? distance_to_tangent(curve[i], exits[k])
                                              : distance_between(curve[i], exits[k].place);
         sum += off * off;
       }

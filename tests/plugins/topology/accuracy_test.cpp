@@ -212,6 +212,31 @@ TEST_P(Accuracy, WatershedFollowsCentreLinesOfLoops) {
 INSTANTIATE_TEST_SUITE_P(Resolutions, Accuracy,
                          testing::Combine(testing::Values(0.25, 0.5), testing::Values(0.0, 0.8)));
 
+TEST(Accuracy, ASideRoadThatBendsSoonMeetsWhereItWouldGoStraightOn) {
+  // A road of 15 m along x; a second leaves it at a right angle and bends by 75 degrees after 8 m.
+  std::vector<Stretch> roads{{{20, 60}, {180, 60}}, {{100, 60}, {100, 68}}};
+  Point last{100, 68};
+  constexpr double kRadius = 18;
+  for (int degrees = 5; degrees <= 75; degrees += 5) {
+    const double angle = degrees * 3.14159265358979 / 180;
+    const Point next{100 + kRadius * (1 - std::cos(angle)), 68 + kRadius * std::sin(angle)};
+    roads.push_back({last, next});
+    last = next;
+  }
+  roads.push_back({last, {last.x + 60 * std::sin(1.309), last.y + 60 * std::cos(1.309)}});
+  const OccupancyGrid grid = draw({"bend", roads, {}, {}, 7.5}, 0.5, 0, 1);
+  const RoadGraph graph = voronoi_roads(grid, {}, {});
+  ASSERT_EQ(graph.edges.size(), 3U);
+  for (std::uint32_t node = 0; node < graph.nodes.size(); ++node) {
+    const auto ends = std::count_if(graph.edges.begin(), graph.edges.end(), [&](const auto& edge) {
+      return edge.from == node || edge.to == node;
+    });
+    if (ends == 3) {
+      EXPECT_LT(std::hypot(graph.nodes[node].x - 100, graph.nodes[node].y - 60), 3);
+    }
+  }
+}
+
 TEST(Accuracy, ASquareFaceEndsTheRoadWhereItsFullWidthEnds) {
   const OccupancyGrid grid = grid_where(
       100, 40, 0.25, [](double x, double y) { return x > 10 && x < 90 && y > 13 && y < 27; });
