@@ -61,6 +61,7 @@ constexpr std::array kAgainstGrid{stope_stage_Homotopy, stope_stage_MedialDistan
 constexpr double kMinPieceArea = 100;
 // Half the width of an XG90G truck, for detours against ways that it can take.
 constexpr double kHalfTruck = 2;
+constexpr double kFar = 200;
 
 /// All figures of one graph, in the order of the stages.
 std::vector<std::pair<std::string, double>> measure(const RoadGraph& roads,
@@ -80,11 +81,14 @@ std::vector<std::pair<std::string, double>> measure(const RoadGraph& roads,
     if (stage == stope_stage_Homotopy) harness.set("min_piece_area", kMinPieceArea);
     add(harness.input("grid", pit.grid));
   }
-  StageHarness detour(stope_stage_Detour());
-  detour.input("grid", pit.grid).set("min_clearance", kHalfTruck);
-  const auto truck = detour.input("roads", roads).apply<Measures>();
-  for (std::size_t i = 0; i < truck.names.size(); ++i)
-    figures.emplace_back("truck_" + truck.names[i], truck.values[i]);
+  const auto add_detour = [&](const std::string& name, const char* parameter, double value) {
+    StageHarness stage(stope_stage_Detour());
+    const auto measures =
+        stage.input("grid", pit.grid).input("roads", roads).set(parameter, value).apply<Measures>();
+    figures.emplace_back(name, measures.values.at(1));
+  };
+  add_detour("detour_p95 of a truck", "min_clearance", kHalfTruck);
+  add_detour("detour_p95 of far pairs", "min_distance", kFar);
   return figures;
 }
 
