@@ -1,0 +1,242 @@
+// Problem: a way between two poses for a truck that cannot turn on the spot, among obstacles.
+// Idea: hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): A* over arcs, of which one pose is
+// kept for each cell of place, heading and direction; free-ground distance to the goal guides it,
+// and from every pose near enough the words of Dubins or Reeds and Shepp are tried, which arrive
+// exactly. Such an arrival waits in the queue by its cost like any other, so the first to come out
+// is the best found.
+// Cost: O(n log n) in the poses looked at, each with 5 (10 with reverse) swept outlines.
+#include "plugins/planner/hybrid_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+
+#include "plugins/planner/free_ground_distance.hpp"
+#include "plugins/planner/reeds_shepp_words.hpp"
+
+namespace stope::planner {
+namespace {
+
+constexpr double kCell = 1, kStep = 1.6;  // metres
+constexpr int kHeadings = 72;
+constexpr std::size_t kMostWords = 6;  // tried from one pose
+// Costs in metres of straight driving.
+constexpr double kReverseFactor = 2, kCusp = 25, kBend = 0.15, kSteer = 0.3, kTight = 1;
+constexpr double kComfort = 2;  // metres of clearance beyond which walls do not matter
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+struct Reached {
+  Pose2 pose;
+  CurvePiece by;
+  double cost = 0;
+  std::uint32_t previous = kNone;
+  std::uint32_t arrival = kNone;  // of Search::arrivals_
+};
+
+struct Entry {
+  double estimate;
+  std::uint32_t at;
+  bool operator>(const Entry& other) const {
+    return std::tie(estimate, at) > std::tie(other.estimate, other.at);
+  }
+};
+
+class Search {
+ public:
+  Search(const std::vector<Pose2>& goals, const Drivability& ground, const ClearanceField& field,
+         const HybridRules& rules)
+      : goals_(goals),
+        ground_(ground),
+        field_(field),
+        rules_(rules),
+        distance_(field, goals, ground.vehicle().width / 2) {}
+
+  HybridResult run(const Pose2& start, const std::function<void()>& checkpoint) {
+    HybridResult result;
+    result.nearest = start;
+    if (!ground_.drivable({start, {}})) return result;
+    add({start, {}, 0, kNone, kNone});
+    double nearest = std::numeric_limits<double>::infinity();
+    while (!queue_.empty() && result.poses < rules_.most_poses) {
+      const Entry top = queue_.top();
+      queue_.pop();
+      const Reached here = reached_[top.at];
+      if (here.arrival != kNone) {
+        result.curve = trace(start, top.at);
+        return result;
+      }
+      if (best_[key(here.pose, here.by)] != top.at) continue;
+      if (++result.poses % 256 == 0) checkpoint();
+      const double left = distance_.at(here.pose.x, here.pose.y);
+      if (left < nearest) nearest = left, result.nearest = here.pose;
+      if (worth_trying(left, result.poses)) try_arrival(top.at, left);
+      expand(top.at);
+    }
+    return result;
+  }
+
+ private:
+  std::uint64_t key(const Pose2& pose, const CurvePiece& by) const {
+    const auto bin = [](double value) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)) + (1 << 20));
+    };
+    const Vector2 at = field_.to_field(pose.x, pose.y) * (field_.cell() / kCell);
+    const double turn = std::remainder(pose.yaw, 2 * std::numbers::pi) / (2 * std::numbers::pi);
+    const auto heading = static_cast<std::uint64_t>(
+        std::clamp(std::floor((turn + 0.5) * kHeadings), 0.0, kHeadings - 1.0));
+    return ((bin(at.x()) << 21 | bin(at.y())) << 8 | heading) << 1 | (by.length < 0 ? 1 : 0);
+  }
+
+  void add(const Reached& reached) {
+    const double left = reached.arrival != kNone ? 0 : estimate(reached);
+    if (!std::isfinite(left)) return;
+    const auto at = static_cast<std::uint32_t>(reached_.size());
+    if (reached.arrival == kNone) {
+      const auto [known, is_new] = best_.try_emplace(key(reached.pose, reached.by), at);
+      if (!is_new) {
+        if (reached_[known->second].cost <= reached.cost) return;
+        known->second = at;
+      }
+    }
+    reached_.push_back(reached);
+    queue_.push({reached.cost + left, at});
+  }
+
+  /// What is left to drive, in cost: round obstacles as if the truck could turn on the spot, or
+  /// with its turning circle as if there were none.
+  double estimate(const Reached& reached) const {
+    double steered = std::numeric_limits<double>::infinity();
+    // Of many goals a few stand for the others: a guess that is a little too long does no harm.
+    const std::size_t stride = std::max<std::size_t>(1, goals_.size() / 3);
+    for (std::size_t i = 0; i < goals_.size(); i += stride) {
+      for (const SteeringWord& word : words_to(reached.pose, goals_[i]))
+        steered = std::min(steered, cost_of(word, reached.by.length < 0));
+    }
+    const double around = distance_.at(reached.pose.x, reached.pose.y);
+    return std::isfinite(steered) ? std::max(around, steered) : around;
+  }
+
+  std::vector<SteeringWord> words_to(const Pose2& from, const Pose2& goal) const {
+    return rules_.allow_reverse ? reeds_shepp_words(from, goal, rules_.turning_radius)
+                                : dubins_words(from, goal, rules_.turning_radius);
+  }
+
+  double cost_of(const CurvePiece& piece, const CurvePiece& before, const Pose2& end) const {
+    const double length = std::abs(piece.length);
+    const double bend = std::abs(piece.curvature) * rules_.turning_radius;
+    const double clearance = ground_.footprint().quick_clearance(end);
+    double cost =
+        length * (1 + kBend * bend + kTight * std::clamp(1 - clearance / kComfort, 0.0, 1.0));
+    if (piece.length < 0) cost *= kReverseFactor;
+    cost += kSteer * std::abs(piece.curvature - before.curvature) * rules_.turning_radius;
+    if (before.length != 0 && (before.length < 0) != (piece.length < 0)) cost += kCusp;
+    return cost;
+  }
+
+  void expand(std::uint32_t at) {
+    const Reached here = reached_[at];
+    for (const double direction : {1.0, -1.0}) {
+      if (direction < 0 && !rules_.allow_reverse) continue;
+      for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+        const double curvature = share / rules_.turning_radius;
+        const CurvePiece piece{direction * kStep, curvature, curvature};
+        const Pose2 end = advance(here.pose, piece);
+        const double cost = here.cost + cost_of(piece, here.by, end);
+        const auto known = best_.find(key(end, piece));
+        if (known != best_.end() && reached_[known->second].cost <= cost) continue;
+        if (!ground_.drivable({here.pose, {piece}})) continue;
+        add({end, piece, cost, at, kNone});
+      }
+    }
+  }
+
+  /// Whether words to the goals are worth trying: often near them, now and then far away.
+  bool worth_trying(double left, std::size_t poses) const {
+    const double radii = left / rules_.turning_radius;
+    return poses == 1 || poses % (radii < 1 ? 2 : radii < 4 ? 8 : 32) == 0;
+  }
+
+  /// From one pose to all goals: the cheapest word that can be driven joins the queue.
+  void try_arrival(std::uint32_t at, double left) {
+    const Reached here = reached_[at];
+    struct Candidate {
+      double cost;
+      SteeringWord word;
+    };
+    std::vector<Candidate> candidates;
+    for (const Pose2& goal : goals_) {
+      for (const SteeringWord& word : words_to(here.pose, goal)) {
+        const double cost = here.cost + cost_of(word, here.by.length < 0);
+        if (word.total * rules_.turning_radius < 2 * left + 7 * rules_.turning_radius &&
+            cost < best_arrival_)
+          candidates.push_back({cost, word});
+      }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    for (std::size_t i = 0; i < candidates.size() && i < kMostWords; ++i) {
+      const DriveCurve curve = curve_of(candidates[i].word, here.pose, rules_.turning_radius);
+      if (!ground_.drivable(curve)) continue;
+      best_arrival_ = candidates[i].cost;
+      const auto arrival = static_cast<std::uint32_t>(arrivals_.size());
+      arrivals_.push_back(curve);
+      add({curve.end(), {}, best_arrival_, at, arrival});
+      return;
+    }
+  }
+
+  /// As of pieces, but as if far from walls.
+  double cost_of(const SteeringWord& word, bool backwards) const {
+    double cost = 0, bend = 0;
+    for (std::size_t i = 0; i < word.steer.size() && word.steer[i] != 0; ++i) {
+      const bool back = word.length[i] < 0;
+      const double now = word.steer[i] == 'S' ? 0 : word.steer[i] == 'L' ? 1 : -1;
+      cost += std::abs(word.length[i]) * rules_.turning_radius * (1 + kBend * std::abs(now)) *
+                  (back ? kReverseFactor : 1) +
+              kSteer * std::abs(now - bend) + (back != backwards ? kCusp : 0);
+      bend = now, backwards = back;
+    }
+    return cost;
+  }
+
+  DriveCurve trace(const Pose2& start, std::uint32_t at) const {
+    DriveCurve curve{start, {}};
+    std::vector<CurvePiece> pieces;
+    const DriveCurve& arrival = arrivals_[reached_[at].arrival];
+    for (at = reached_[at].previous; reached_[at].previous != kNone; at = reached_[at].previous)
+      pieces.push_back(reached_[at].by);
+    curve.pieces.assign(pieces.rbegin(), pieces.rend());
+    append(curve, arrival);
+    return curve;
+  }
+
+  const std::vector<Pose2>& goals_;
+  const Drivability& ground_;
+  const ClearanceField& field_;
+  const HybridRules& rules_;
+  const FreeGroundDistance distance_;
+  std::vector<Reached> reached_;
+  std::vector<DriveCurve> arrivals_;
+  double best_arrival_ = std::numeric_limits<double>::infinity();
+  std::unordered_map<std::uint64_t, std::uint32_t> best_;  // looked up, never walked
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+}  // namespace
+
+HybridResult hybrid_search(const Pose2& start, const std::vector<Pose2>& goals,
+                           const Drivability& ground, const ClearanceField& field,
+                           const HybridRules& rules, const std::function<void()>& checkpoint) {
+  std::vector<Pose2> standing;
+  for (const Pose2& goal : goals) {
+    if (ground.drivable({goal, {}})) standing.push_back(goal);
+  }
+  if (standing.empty()) return {std::nullopt, start, 0};
+  return Search(standing, ground, field, rules).run(start, checkpoint);
+}
+
+}  // namespace stope::planner
