@@ -134,7 +134,8 @@ TEST(Smooth, PassesAGapTheTruckJustFitsThrough) {
 }
 
 TEST(Smooth, ReversesOnlyIfAllowed) {
-  // A blind alley too narrow to turn round in one go, and the truck stands with its nose to the wall.
+  // A blind alley too narrow to turn round in one go, and the truck stands with its nose to the
+  // wall.
   const OccupancyGrid grid = roads_of(26, {{{20, 50}, {150, 50}}});
   const Path line = path_of({{26, 50}, {140, 50}});
   const auto sentence =
