@@ -107,4 +107,16 @@ TEST(HouseRules, CMakeListsNameTheirFiles) {
   }
 }
 
+TEST(HouseRules, NoMergeWasLeftHalfDone) {
+  const std::set<std::string> kAll{"", ".cpp", ".hpp", ".txt", ".cmake", ".md", ".yaml"};
+  for (const char* folder :
+       {"sdk", "framework", "plugins", "tests", "tools", "docs", "pipelines"}) {
+    for (const auto& file : files_under(folder, kAll)) {
+      for (const std::string& line : lines_of(file))
+        EXPECT_FALSE(line.starts_with("<<<<<<< ") || line.starts_with(">>>>>>> "))
+            << file << ": " << line;
+    }
+  }
+}
+
 }  // namespace

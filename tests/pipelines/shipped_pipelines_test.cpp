@@ -29,6 +29,7 @@ std::vector<Shipped> pipelines(const TemporaryFolder& folder) {
           {"pipelines/measure/true_grid.yaml", {}},
           {"pipelines/measure/mapped_grid.yaml", {}},
           {"pipelines/haul_roads/from_map.yaml", {"--set", "vars.map=" + map.string()}},
+          {"pipelines/regions/rooms.yaml", {"--set", "vars.map=" + map.string()}},
           {"pipelines/haul_roads/drive.yaml", {"--set", "vars.map=" + map.string()}},
           {"pipelines/haul_roads/prior.yaml", {"--set", "vars.recording=" + recording.string()}}};
 }
