@@ -78,9 +78,10 @@ TEST(ShippedPipelines, EveryInterchangeableMemberFits) {
   }
 }
 
-TEST(ShippedPipelines, TheExtractorCanBeSwappedInAllOfThem) {
+TEST(ShippedPipelines, TheExtractorCanBeSwappedWhereverRoadsAloneAreAskedFor) {
   const TemporaryFolder folder;
   for (const Shipped& pipeline : pipelines(folder)) {
+    if (pipeline.file == "pipelines/regions/rooms.yaml") continue;  // asks for regions as well
     check(pipeline, {"--set", "roads.use=topology/voronoi"});
     check(pipeline, {"--set", "roads.use=topology/watershed"});
   }
