@@ -14,8 +14,7 @@ Vector2 centre_of(Cell cell) { return {cell.column + 0.5, cell.row + 0.5}; }
 class Axis {
  public:
   Axis(const FreeCells& cells, double min_angle, double min_clearance)
-      : cells_(cells),
-        nearest_(cells),
+      : nearest_(cells),
         min_angle_(min_angle),
         min_clearance_(min_clearance / cells.frame.resolution) {}
 
@@ -39,7 +38,6 @@ class Axis {
   }
 
  private:
-  const FreeCells& cells_;
   NearestObstacle nearest_;
   double min_angle_, min_clearance_;
 };
