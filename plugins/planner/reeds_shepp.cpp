@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plugins/planner/route_miles.hpp"
+#include "plugins/planner/speed_profile.hpp"
 #include "stope/stope.hpp"
 
 namespace stope::planner {
@@ -13,13 +14,12 @@ namespace stope::planner {
 class ReedsShepp final
     : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid>, Optional<StampedPose>)> {
  public:
-  struct Params : Vehicle {
+  struct Params : Vehicle, SpeedLimits {
     std::optional<std::vector<double>> start, goal, goal_area;
     std::optional<double> start_heading, goal_heading;
     bool allow_reverse = true;
     double join_within = 60;
     double step = 0.5;
-    double max_speed = 10, lateral_acceleration = 1, acceleration = 0.5, braking = 0.7;
   } params;
 
   static void describe(About<ReedsShepp>& about) {
@@ -53,13 +53,8 @@ class ReedsShepp final
         .param("join_within", &Params::join_within, "m", at_least(0.0),
                "How far from its ends the path may be joined and left.")
         .param("step", &Params::step, "m", more_than(0.0) + at_most(1.0),
-               "Greatest distance between points.")
-        .param("max_speed", &Params::max_speed, "m/s", more_than(0.0), "Speed on straights.")
-        .param("lateral_acceleration", &Params::lateral_acceleration, "m/s^2", more_than(0.0),
-               "What bends may ask of the load.")
-        .param("acceleration", &Params::acceleration, "m/s^2", more_than(0.0),
-               "On the way up to speed.")
-        .param("braking", &Params::braking, "m/s^2", more_than(0.0), "On the way to a stop.");
+               "Greatest distance between points.");
+    describe_speeds(about);
     describe_vehicle(about);
   }
 
@@ -68,8 +63,7 @@ class ReedsShepp final
     check_vehicle(params);
     MileRequest request;
     request.vehicle = params;
-    request.limits = {params.max_speed, params.lateral_acceleration, params.acceleration,
-                      params.braking};
+    request.limits = params;
     request.allow_reverse = params.allow_reverse;
     request.join_within = params.join_within;
     request.step = params.step;

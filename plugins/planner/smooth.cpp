@@ -13,13 +13,12 @@ namespace stope::planner {
 
 class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid>)> {
  public:
-  struct Params : Vehicle {
+  struct Params : Vehicle, SpeedLimits {
     std::optional<double> start_heading, goal_heading;
     double goal_tolerance = 5;
     bool allow_reverse = false;
     double comfortable_clearance = 3;
     double step = 0.5;
-    double max_speed = 10, lateral_acceleration = 1, acceleration = 0.5, braking = 0.7;
   } params;
 
   static void describe(About<Smooth>& about) {
@@ -49,13 +48,8 @@ class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid
         .param("comfortable_clearance", &Params::comfortable_clearance, "m", at_least(0.0),
                "Beyond the margin, what the truck keeps from walls where there is room.")
         .param("step", &Params::step, "m", more_than(0.0) + at_most(1.0),
-               "Greatest distance between points.")
-        .param("max_speed", &Params::max_speed, "m/s", more_than(0.0), "Speed on straights.")
-        .param("lateral_acceleration", &Params::lateral_acceleration, "m/s^2", more_than(0.0),
-               "What bends may ask of the load.")
-        .param("acceleration", &Params::acceleration, "m/s^2", more_than(0.0),
-               "On the way up to speed.")
-        .param("braking", &Params::braking, "m/s^2", more_than(0.0), "On the way to a stop.");
+               "Greatest distance between points.");
+    describe_speeds(about);
     describe_vehicle(about);
   }
 
@@ -82,9 +76,7 @@ class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid
     driven.edges = path.edges;
     driven.length = curve.length();
     driven.points = drive_points(curve, ground, heights, params.step);
-    plan_speeds(
-        driven.points, params,
-        {params.max_speed, params.lateral_acceleration, params.acceleration, params.braking});
+    plan_speeds(driven.points, params, params);
     report(driven, curve, context);
     return driven;
   }

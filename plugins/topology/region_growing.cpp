@@ -14,18 +14,8 @@ namespace stope::topology {
 class RegionGrowing final
     : public Map<Outputs<RoadGraph, RegionMap>(OccupancyGrid, Optional<Trajectory>)> {
  public:
-  struct Params : ExtractionParams, NetworkParams {
+  struct Params : ExtractionParams, NetworkParams, GrowingParams {
     std::string mode = "default";
-    double growth_radius = 12.0;
-    double max_radius = 30.0;
-    double radius_weight = 1.0;
-    double addition_ratio = 0.3;
-    double obstacle_ratio = 0.05;
-    double second_radius = 30.0;
-    double merge_radius = 6.0;
-    double merge_area = 2000.0;
-    double merge_obstacle_ratio = 0.2;
-    double coverage = 0.95;
   } params;
 
   static void describe(About<RegionGrowing>& about) {
@@ -88,10 +78,9 @@ class RegionGrowing final
 
  private:
   GrowingParams growing() const {
-    return {params.growth_radius,  params.max_radius,     params.radius_weight,
-            params.addition_ratio, params.obstacle_ratio, params.second_radius,
-            params.merge_radius,   params.merge_area,     params.merge_obstacle_ratio,
-            params.coverage,       params.mode == "paper"};
+    GrowingParams growing = params;
+    growing.as_printed = params.mode == "paper";
+    return growing;
   }
 
   static std::vector<CellIndex> visited_cells(const Ground& ground,
