@@ -33,7 +33,8 @@ class OmplPrm final : public Map<Path(RoadGraph, Optional<StampedPose>, Optional
 
   Path apply(const RoadGraph& roads, const Optional<StampedPose>& pose,
              const Optional<OccupancyGrid>& grid, Context& context) const {
-    const PlanRequest request = request_of(params, pose);
+    PlanRequest request = request_of(params, pose);
+    request.changes.known_roads = roads.edges.size();
     const auto say = [&](std::string_view sentence) { context.info(sentence); };
     RoadPlanner by_road(roads, request.rules);
     if (!grid) {

@@ -13,10 +13,12 @@
 namespace stope::planner {
 namespace {
 
-RoadPlace road_at(const RoadNetwork& network, const char* what, double x, double y, double most) {
+RoadPlace road_at(const RoadNetwork& network, std::size_t known, const char* what, double x,
+                  double y, double most) {
   if (!std::isfinite(x) || !std::isfinite(y))
     throw Error(fmt::format("{} holds a place whose coordinates are not finite", what));
-  const auto places = nearest_places(network, Vector2(x, y), [](std::uint32_t) { return true; });
+  const auto places =
+      nearest_places(network, Vector2(x, y), [known](std::uint32_t edge) { return edge < known; });
   const SnappedPlace& nearest = places.front();
   if (nearest.distance > most) {
     throw Error(fmt::format(
@@ -27,7 +29,7 @@ RoadPlace road_at(const RoadNetwork& network, const char* what, double x, double
   return nearest.place;
 }
 
-std::uint32_t road_with_id(const RoadGraph& graph, const std::string& text) {
+std::uint32_t road_with_id(const RoadGraph& graph, std::size_t known, const std::string& text) {
   std::uint64_t id = 0;
   const auto end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, id);
@@ -41,7 +43,7 @@ std::uint32_t road_with_id(const RoadGraph& graph, const std::string& text) {
     const std::uint64_t other = graph.edges[e].id;
     return other > id ? other - id : id - other;
   };
-  for (std::uint32_t e = 0; e < graph.edges.size(); ++e)
+  for (std::uint32_t e = 0; e < std::min(known, graph.edges.size()); ++e)
     if (!nearest || distance(e) < distance(*nearest)) nearest = e;
   if (distance(*nearest) == 0) return *nearest;
   throw Error(fmt::format(
@@ -66,18 +68,21 @@ RoadChanges resolve(const RequestedChanges& requested, const RoadNetwork& networ
   expect_groups(closed, 2, "closed_places", "[x, y, x, y, …]");
   expect_groups(slow, 3, "slow_places", "[x, y, factor, x, y, factor, …]");
   for (std::size_t i = 0; i < closed.size(); i += 2) {
-    const RoadPlace place = road_at(network, "closed_places", closed[i], closed[i + 1], most);
+    const RoadPlace place =
+        road_at(network, requested.known_roads, "closed_places", closed[i], closed[i + 1], most);
     changes.cut(place.edge, place.along);
   }
   for (const std::string& id : requested.closed_roads)
-    changes.close(road_with_id(network.graph(), id));
+    changes.close(road_with_id(network.graph(), requested.known_roads, id));
   for (std::size_t i = 0; i < slow.size(); i += 3) {
     if (!(slow[i + 2] >= 1) || !std::isfinite(slow[i + 2]))
       throw Error(
           fmt::format("slow_places holds the factor {}; a road can only be made dearer, by "
                       "a factor of 1 or more",
                       slow[i + 2]));
-    changes.raise(road_at(network, "slow_places", slow[i], slow[i + 1], most).edge, slow[i + 2]);
+    changes.raise(
+        road_at(network, requested.known_roads, "slow_places", slow[i], slow[i + 1], most).edge,
+        slow[i + 2]);
   }
   return changes;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@ struct RequestedChanges {
   std::vector<double> closed_places;      ///< [x, y, x, y, …], metres: no passing there
   std::vector<std::string> closed_roads;  ///< ids of road edges, decimal
   std::vector<double> slow_places;  ///< [x, y, factor, …]: the road there costs factor times
+  /// How many of a graph's roads, from the first on, can be meant: those behind were added since.
+  std::size_t known_roads = std::numeric_limits<std::size_t>::max();
 };
 
 /// Finds the roads that are meant: the one nearest to each place, no farther than `most` metres,

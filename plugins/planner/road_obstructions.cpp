@@ -15,9 +15,10 @@ std::optional<RoadPlace> obstruction_on(const DrivableGrid& grid, const RoadNetw
     const RoadPlace place{leg.edge,
                           steps > 0 ? leg.from + (leg.to - leg.from) * i / steps : leg.from};
     const RoadVertex vertex = network.at(place);
-    if (std::isnan(vertex.clearance) || vertex.clearance <= slack) continue;
+    if (vertex.clearance <= slack) continue;
     const Vector2 point(vertex.x, vertex.y);
     if (grid.ground_at(point) == Ground::kObstacle) return place;
+    if (std::isnan(vertex.clearance)) continue;
     const double wanted = std::min(min_clearance, vertex.clearance - slack);
     if (wanted > resolution && grid.distance_to_obstacle(point, wanted) < wanted) return place;
   }

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "tests/plugins/planner/drawn_ground.hpp"
+#include "tests/plugins/planner/planner_stage.hpp"
 #include "tests/plugins/planner/test_roads.hpp"
-#include "tests/plugins/stage_harness.hpp"
 
 extern "C" const stope::StageEntry* stope_stage_AStar();
 
@@ -22,34 +23,12 @@ RoadGraph bent_road() {
   return graph;
 }
 
-// 60 x 50 m of free ground at half a metre.
-OccupancyGrid open_ground() {
-  OccupancyGrid grid;
-  grid.frame = {120, 100, 0.5, {}};
-  grid.cells.assign(grid.frame.size(), OccupancyGrid::kFree);
-  return grid;
-}
-
-void fill(OccupancyGrid& grid, double left, double bottom, double right, double top,
-          std::uint8_t value) {
-  for (std::int32_t row = 0; row < grid.frame.height; ++row) {
-    for (std::int32_t column = 0; column < grid.frame.width; ++column) {
-      const Vector2 centre = grid.frame.centre({column, row});
-      if (centre.x() > left && centre.x() < right && centre.y() > bottom && centre.y() < top)
-        grid.cells[grid.frame.place({column, row})] = value;
-    }
-  }
-}
-
-using Numbers = std::vector<double>;
-
 StageHarness planner(RoadGraph graph, const Numbers& start, const Numbers& goal) {
-  StageHarness stage(stope_stage_AStar());
-  stage.input("roads", std::move(graph));
-  if (!start.empty()) stage.set("start", start);
-  if (!goal.empty()) stage.set("goal", goal);
-  return stage;
+  return planner_stage(stope_stage_AStar(), std::move(graph), start, goal);
 }
+
+// 60 x 50 m.
+OccupancyGrid open_ground() { return free_ground(120, 100); }
 
 void expect_free(const OccupancyGrid& grid, const Path& path) {
   for (const PathPoint& point : path.points) {

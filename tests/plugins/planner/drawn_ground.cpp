@@ -17,9 +17,15 @@ Path path_of(const Places& places) {
   return path;
 }
 
-OccupancyGrid roads_of(double width, const std::vector<Places>& lines, bool round) {
+OccupancyGrid free_ground(std::int32_t width, std::int32_t height) {
   OccupancyGrid grid;
-  grid.frame = {420, 260, 0.5, {}};
+  grid.frame = {width, height, 0.5, {}};
+  grid.cells.assign(grid.frame.size(), OccupancyGrid::kFree);
+  return grid;
+}
+
+OccupancyGrid roads_of(double width, const std::vector<Places>& lines, bool round) {
+  OccupancyGrid grid = free_ground(420, 260);
   grid.cells.assign(grid.frame.size(), OccupancyGrid::kOccupied);
   for (const Places& line : lines) {
     for (std::size_t i = 1; i < line.size(); ++i) {

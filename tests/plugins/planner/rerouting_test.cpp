@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "stope/testing/memory_context.hpp"
+#include "tests/plugins/planner/drawn_ground.hpp"
+#include "tests/plugins/planner/planner_stage.hpp"
 #include "tests/plugins/planner/test_roads.hpp"
-#include "tests/plugins/stage_harness.hpp"
 
 extern "C" const stope::StageEntry* stope_stage_AStar();
 
@@ -14,7 +15,6 @@ namespace {
 
 using stope::testing::error_of;
 using stope::testing::StageHarness;
-using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
 // Two ways from (5, 10) to (55, 10): straight, 50 m (road 1000), and round by y = 30, 90 m (road
@@ -30,30 +30,11 @@ RoadGraph two_ways() {
 }
 
 StageHarness planner(RoadGraph graph = two_ways()) {
-  StageHarness stage(stope_stage_AStar());
-  stage.input("roads", std::move(graph));
-  stage.set("start", Numbers{2, 10});
-  stage.set("goal", Numbers{58, 10});
-  return stage;
+  return planner_stage(stope_stage_AStar(), std::move(graph), {2, 10}, {58, 10});
 }
 
-OccupancyGrid ground() {
-  OccupancyGrid grid;
-  grid.frame = {120, 80, 0.5, {}};
-  grid.cells.assign(grid.frame.size(), OccupancyGrid::kFree);
-  return grid;
-}
-
-void fill(OccupancyGrid& grid, double left, double bottom, double right, double top,
-          std::uint8_t value) {
-  for (std::int32_t row = 0; row < grid.frame.height; ++row) {
-    for (std::int32_t column = 0; column < grid.frame.width; ++column) {
-      const Vector2 centre = grid.frame.centre({column, row});
-      if (centre.x() > left && centre.x() < right && centre.y() > bottom && centre.y() < top)
-        grid.cells[grid.frame.place({column, row})] = value;
-    }
-  }
-}
+// 60 x 40 m.
+OccupancyGrid ground() { return free_ground(120, 80); }
 
 constexpr double kStraight = 56, kRound = 96;
 
@@ -87,6 +68,17 @@ TEST(Rerouting, AnObstacleOnTheRoadIsDrivenRoundAndSaid) {
   OccupancyGrid unknown = ground();
   fill(unknown, 29, 9, 31, 11, OccupancyGrid::kUnknown);
   EXPECT_NEAR(planner().input("grid", unknown).apply<Path>().length, kStraight, 1e-9);
+}
+
+// As in graphs that were imported.
+TEST(Rerouting, AnObstacleOnARoadOfUnknownClearanceIsDrivenRound) {
+  RoadGraph graph = two_ways();
+  for (RoadVertex& vertex : graph.vertices) vertex.clearance = std::nan("");
+  OccupancyGrid grid = ground();
+  fill(grid, 29, 12, 31, 14, OccupancyGrid::kOccupied);  // beside the road
+  EXPECT_NEAR(planner(graph).input("grid", grid).apply<Path>().length, kStraight, 1e-9);
+  fill(grid, 29, 9, 31, 11, OccupancyGrid::kOccupied);
+  EXPECT_NEAR(planner(graph).input("grid", grid).apply<Path>().length, kRound, 1e-9);
 }
 
 TEST(Rerouting, AnObstacleBesideTheRoadCountsWhereItTakesTheClearanceAsked) {

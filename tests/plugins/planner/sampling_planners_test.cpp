@@ -87,6 +87,21 @@ TEST(SamplingPlanners, KeepOutOfClosedRoads) {
   }
 }
 
+// Roads that the roadmap adds in the ground round the lower road pass nearer to the place than the
+// upper one, which is meant.
+TEST(SamplingPlanners, PrmClosesARoadThatWasThereAndNoneItAdded) {
+  RoadGraph graph;
+  graph.nodes = {{1, 5, 30, 0}, {2, 55, 30, 0}, {3, 5, 45, 0}, {4, 55, 45, 0}};
+  add_road(graph, 0, 1, {}, 20);
+  add_road(graph, 2, 3, {}, 1);
+  add_road(graph, 0, 2);
+  add_road(graph, 1, 3);
+  auto stage = planner(stope_stage_OmplPrm(), graph);
+  stage.set("start", Numbers{5, 45}).set("goal", Numbers{55, 45}).input("grid", ground());
+  EXPECT_NEAR(stage.apply<Path>().length, 50, 1e-9);
+  EXPECT_GT(stage.set("closed_places", Numbers{30, 38.5}).apply<Path>().length, 55);
+}
+
 TEST(SamplingPlanners, RefuseAsTheOthersDo) {
   for (const auto entry : kStages) {
     EXPECT_NE(error_of([&] { planner(entry(), {}).apply<Path>(); }).find("has no roads"),
