@@ -12,10 +12,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
-#include "plugins/planner/core_contraction.hpp"
+#include "plugins/planner/cell_contraction.hpp"
 #include "plugins/planner/node_contraction.hpp"
+#include "plugins/planner/rest_network.hpp"
+#include "plugins/planner/shortcut_parts.hpp"
 
 namespace stope::planner {
 namespace {
@@ -31,57 +32,72 @@ struct Turn {
   }
 };
 
+}  // namespace
+
 /// Orders the nodes that have no rank yet and takes them out, all at once.
-void take_core(const NodeContraction& contraction, std::span<const NodePlace> places,
-               std::vector<std::uint32_t>& rank_of, std::vector<std::uint32_t>& node_of,
-               ContractionHierarchy::Half& up, ContractionHierarchy::Half& down,
-               const std::function<void()>& pause) {
-  constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> local(rank_of.size(), 0), nodes;
-  for (const std::uint32_t node : node_of) local[node] = kGone;
-  for (std::uint32_t node = 0; node < local.size(); ++node) {
-    if (local[node] == kGone) continue;
-    local[node] = static_cast<std::uint32_t>(nodes.size());
-    nodes.push_back(node);
+void ContractionHierarchy::take_cells(const NodeContraction& contraction, const RestNetwork& rest,
+                                      const std::function<void()>& pause) {
+  const Dissection dissection = dissect(rest.neighbours, rest.places, pause);
+  std::vector<std::uint32_t> place_of(rest.nodes.size());
+  for (std::uint32_t i = 0; i < place_of.size(); ++i) place_of[dissection.order[i]] = i;
+  std::vector<CellLink> links;
+  for (std::uint32_t i = 0; i < place_of.size(); ++i) {
+    const auto begin = static_cast<std::ptrdiff_t>(links.size());
+    for (const auto& link : contraction.links_from(rest.nodes[dissection.order[i]]))
+      links.push_back({i, place_of[rest.number_of[link.other]], link.cost, link.parts});
+    std::sort(links.begin() + begin, links.end(),
+              [](const CellLink& a, const CellLink& b) { return a.to < b.to; });
   }
-  NeighbourLists neighbours;
-  std::vector<NodePlace> where;
-  neighbours.first.push_back(0);
-  for (const std::uint32_t node : nodes) {
-    const auto begin = static_cast<std::ptrdiff_t>(neighbours.nodes.size());
-    for (const auto* links : {&contraction.links_from(node), &contraction.links_to(node)})
-      for (const auto& link : *links) neighbours.nodes.push_back(local[link.other]);
-    std::sort(neighbours.nodes.begin() + begin, neighbours.nodes.end());
-    neighbours.nodes.erase(std::unique(neighbours.nodes.begin() + begin, neighbours.nodes.end()),
-                           neighbours.nodes.end());
-    neighbours.first.push_back(static_cast<std::uint32_t>(neighbours.nodes.size()));
-    where.push_back(places[node]);
+  const CellBorders borders = cell_borders(dissection, links);
+  const KeptHalves kept = contract_cells(dissection, borders, links, pause);
+  const auto first_up = static_cast<std::uint32_t>(up_.arcs.size());
+  const auto first_down = static_cast<std::uint32_t>(down_.arcs.size());
+  const ShortcutParts parts = shortcut_parts(kept, links, first_up, first_down);
+  const auto node_at = [&](std::uint32_t place) { return rest.nodes[dissection.order[place]]; };
+  const auto append = [&](const KeptArcs& arcs, const auto& parts_of, std::uint32_t first,
+                          Half& half) {
+    for (std::size_t i = 0; i < place_of.size(); ++i) half.first.push_back(first + arcs.first[i]);
+    for (const SearchArc& arc : arcs.arcs) half.arcs.push_back({node_at(arc.to), arc.cost});
+    half.parts.insert(half.parts.end(), parts_of.begin(), parts_of.end());
+  };
+  append(kept.up, parts.up, first_up, up_);
+  append(kept.down, parts.down, first_down, down_);
+  if (node_of_.empty()) {
+    for (std::uint32_t cell = 0; cell < dissection.cells.size(); ++cell) {
+      const auto border = borders.of(cell);
+      for (std::uint32_t i = dissection.cells[cell].own + 1; i < dissection.cells[cell].end; ++i)
+        next_.push_back(i);
+      if (dissection.cells[cell].own < dissection.cells[cell].end)
+        next_.push_back(border.empty() ? kNoArc : border.front());
+    }
   }
-  std::vector<std::uint32_t> order = dissection_order(neighbours, where);
-  for (std::uint32_t& node : order) node = nodes[node];
-  for (std::uint32_t i = 0; i < order.size(); ++i) local[order[i]] = i;
-  std::vector<CoreLink> links;
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    for (const auto& link : contraction.links_from(order[i]))
-      links.push_back({i, local[link.other], link.cost, link.parts});
-  }
-  std::sort(links.begin(), links.end(), [](const CoreLink& a, const CoreLink& b) {
-    return std::tie(a.from, a.to) < std::tie(b.from, b.to);
-  });
-  contract_core(order, links, up, down, pause);
-  for (const std::uint32_t node : order) {
-    rank_of[node] = static_cast<std::uint32_t>(node_of.size());
-    node_of.push_back(node);
+  for (std::uint32_t i = 0; i < place_of.size(); ++i) {
+    rank_of_[node_at(i)] = static_cast<std::uint32_t>(node_of_.size());
+    node_of_.push_back(node_at(i));
   }
 }
-
-}  // namespace
 
 ContractionHierarchy::ContractionHierarchy(const SearchGraph& graph,
                                            std::span<const NodePlace> places,
                                            const std::function<void()>& pause)
     : rank_of_(graph.node_count()) {
   NodeContraction contraction(graph, up_, down_);
+  if (!places.empty() && graph.node_count() > 0) {
+    const RestNetwork all = rest_of(contraction, places, node_of_);
+    if (is_grid_like(all)) take_cells(contraction, all, pause);
+  }
+  if (node_of_.empty()) contract_one_by_one(graph, contraction, places, pause);
+  for (Half* half : {&up_, &down_}) {
+    if (half->first.size() == node_of_.size())
+      half->first.push_back(static_cast<std::uint32_t>(half->arcs.size()));
+    for (SearchArc& arc : half->arcs) arc.to = rank_of_[arc.to];
+  }
+}
+
+void ContractionHierarchy::contract_one_by_one(const SearchGraph& graph,
+                                               NodeContraction& contraction,
+                                               std::span<const NodePlace> places,
+                                               const std::function<void()>& pause) {
   std::vector<std::uint64_t> importance(graph.node_count());
   std::vector<Turn> turns;
   turns.reserve(graph.node_count());
@@ -94,7 +110,7 @@ ContractionHierarchy::ContractionHierarchy(const SearchGraph& graph,
   while (node_of_.size() < graph.node_count()) {
     const std::uint64_t left = graph.node_count() - node_of_.size();
     if (!places.empty() && contraction.link_count() > kDense * left) {
-      take_core(contraction, places, rank_of_, node_of_, up_, down_, pause);
+      take_cells(contraction, rest_of(contraction, places, node_of_), pause);
       break;
     }
     std::pop_heap(turns.begin(), turns.end());
@@ -122,11 +138,6 @@ ContractionHierarchy::ContractionHierarchy(const SearchGraph& graph,
       turns.push_back({now, node});
       std::push_heap(turns.begin(), turns.end());
     }
-  }
-  for (Half* half : {&up_, &down_}) {
-    if (half->first.size() == node_of_.size())
-      half->first.push_back(static_cast<std::uint32_t>(half->arcs.size()));
-    for (SearchArc& arc : half->arcs) arc.to = rank_of_[arc.to];
   }
 }
 

@@ -10,6 +10,9 @@
 
 namespace stope::planner {
 
+class NodeContraction;
+struct RestNetwork;
+
 /// A graph's nodes in an order of importance, and for each the arcs and shortcuts that join it to
 /// more important ones, such that every cheapest way has an equally cheap one that first climbs and
 /// then descends. Nodes are known by rank here: 0 is the least important.
@@ -33,6 +36,10 @@ class ContractionHierarchy {
   std::uint32_t node_count() const { return static_cast<std::uint32_t>(node_of_.size()); }
   std::uint32_t rank(std::uint32_t node) const { return rank_of_[node]; }
   std::uint32_t node(std::uint32_t rank) const { return node_of_[rank]; }
+  /// Whether all nodes that a climb from one can come to stand in a chain, which next() follows.
+  bool has_chains() const { return !next_.empty(); }
+  /// The rank after one in its chain; kNoArc after the last.
+  std::uint32_t next(std::uint32_t rank) const { return next_[rank]; }
   /// Arcs from a node to more important ones (`up`), and to it from more important ones (`down`,
   /// whose SearchArc::to is where they come from). Arcs of all nodes stand in one array each.
   struct Half {
@@ -50,9 +57,13 @@ class ContractionHierarchy {
   void unpack_down(std::uint32_t place, std::vector<std::uint32_t>& arcs) const;
 
  private:
+  void take_cells(const NodeContraction& contraction, const RestNetwork& rest,
+                  const std::function<void()>& pause);
+  void contract_one_by_one(const SearchGraph& graph, NodeContraction& contraction,
+                           std::span<const NodePlace> places, const std::function<void()>& pause);
   void unpack(const Parts& parts, std::vector<std::uint32_t>& arcs) const;
 
-  std::vector<std::uint32_t> rank_of_, node_of_;
+  std::vector<std::uint32_t> rank_of_, node_of_, next_;
   Half up_, down_;
 };
 

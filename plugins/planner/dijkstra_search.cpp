@@ -1,19 +1,9 @@
 #include "plugins/planner/dijkstra_search.hpp"
 
-#include <algorithm>
-
 namespace stope::planner {
 
-std::vector<std::uint32_t> arcs_to(const SearchGraph& graph, const SearchLabels& labels,
-                                   std::uint32_t target) {
-  std::vector<std::uint32_t> arcs;
-  for (std::uint32_t node = target; labels.arc(node) != kNoArc; node = graph.source(arcs.back()))
-    arcs.push_back(labels.arc(node));
-  std::reverse(arcs.begin(), arcs.end());
-  return arcs;
-}
-
-std::vector<WayCost> DijkstraSearch::costs(std::uint32_t node, bool against) {
+std::vector<WayCost> DijkstraSearch::costs(std::uint32_t node, bool against,
+                                           const CostChanges& changes) {
   std::vector<WayCost> costs(graph_.node_count(), kNoWay);
   heap_.clear();
   const auto reach = [&](std::uint32_t there, WayCost cost) {
@@ -21,16 +11,19 @@ std::vector<WayCost> DijkstraSearch::costs(std::uint32_t node, bool against) {
     costs[there] = cost;
     heap_.push(cost, there);
   };
+  const auto drive = [&](std::uint32_t arc, std::uint32_t there, WayCost cost) {
+    const WayCost more = changes.cost(arc, graph_.arc(arc).cost);
+    if (more != kNoWay) reach(there, cost + more);
+  };
   reach(node, 0);
   while (!heap_.empty()) {
     const auto [cost, here] = heap_.pop();
     if (cost > costs[here]) continue;
     if (against) {
-      for (const SearchGraph::Into& into : graph_.into(here))
-        reach(into.from, cost + graph_.arc(into.arc).cost);
+      for (const SearchGraph::Into& into : graph_.into(here)) drive(into.arc, into.from, cost);
     } else {
       for (std::uint32_t arc = graph_.first_arc(here); arc < graph_.end_arc(here); ++arc)
-        reach(graph_.arc(arc).to, cost + graph_.arc(arc).cost);
+        drive(arc, graph_.arc(arc).to, cost);
     }
   }
   return costs;

@@ -4,6 +4,25 @@
 
 namespace stope::planner {
 
+void list_chains(const ContractionHierarchy& hierarchy, std::span<const WayEnd> ends,
+                 SearchLabels& labels, std::vector<std::uint32_t>& chain) {
+  labels.clear();
+  chain.clear();
+  for (const WayEnd& end : ends) {
+    const auto before = static_cast<std::ptrdiff_t>(chain.size());
+    for (std::uint32_t rank = hierarchy.rank(end.node); rank != kNoArc && !labels.known(rank);
+         rank = hierarchy.next(rank)) {
+      labels.set(rank, kNoWay, kNoArc);
+      chain.push_back(rank);
+    }
+    std::inplace_merge(chain.begin(), chain.begin() + before, chain.end());
+  }
+  for (const WayEnd& end : ends) {
+    const std::uint32_t rank = hierarchy.rank(end.node);
+    if (end.cost < labels.cost(rank)) labels.set(rank, end.cost, kNoArc);
+  }
+}
+
 HierarchySearch::HierarchySearch(const ContractionHierarchy& hierarchy) : hierarchy_(hierarchy) {
   forward_.labels.resize(hierarchy.node_count());
   backward_.labels.resize(hierarchy.node_count());
@@ -44,6 +63,14 @@ void HierarchySearch::step(Side& side, const Side& other, const ContractionHiera
 void HierarchySearch::climb(std::span<const WayEnd> sources, std::span<const WayEnd> targets) {
   best_ = kNoWay;
   settled_ = 0;
+  if (hierarchy_.has_chains())
+    climb_chains(sources, targets);
+  else
+    climb_in_order_of_cost(sources, targets);
+}
+
+void HierarchySearch::climb_in_order_of_cost(std::span<const WayEnd> sources,
+                                             std::span<const WayEnd> targets) {
   start(forward_, sources);
   start(backward_, targets);
   const auto live = [this](const Side& side) {
@@ -57,6 +84,39 @@ void HierarchySearch::climb(std::span<const WayEnd> sources, std::span<const Way
     } else {
       step(backward_, forward_, hierarchy_.down(), hierarchy_.up());
     }
+  }
+}
+
+/// Where all nodes that can be come to stand in a chain, it is gone along once, without a heap: all
+/// nodes below have been looked at when a node's turn comes.
+void HierarchySearch::climb_chains(std::span<const WayEnd> sources,
+                                   std::span<const WayEnd> targets) {
+  list_chains(hierarchy_, sources, forward_.labels, forward_.chain);
+  list_chains(hierarchy_, targets, backward_.labels, backward_.chain);
+  const auto relax = [this](Side& side, std::uint32_t rank,
+                            const ContractionHierarchy::Half& half) {
+    const WayCost cost = side.labels.cost(rank);
+    if (cost >= best_) return;
+    ++settled_;
+    for (std::uint32_t place = half.first[rank]; place < half.first[rank + 1]; ++place) {
+      const SearchArc& arc = half.arcs[place];
+      if (cost + arc.cost < side.labels.cost(arc.to))
+        side.labels.set(arc.to, cost + arc.cost, place);
+    }
+  };
+  const auto &up = forward_.chain, &down = backward_.chain;
+  for (std::size_t i = 0, k = 0; i < up.size() || k < down.size();) {
+    const std::uint32_t from = i < up.size() ? up[i] : kNoArc;
+    const std::uint32_t to = k < down.size() ? down[k] : kNoArc;
+    if (from == to) {
+      const WayCost ahead = backward_.labels.cost(to), behind = forward_.labels.cost(from);
+      if (ahead != kNoWay && behind != kNoWay && behind + ahead < best_) {
+        best_ = behind + ahead;
+        top_ = from;
+      }
+    }
+    if (from <= to) relax(forward_, up[i++], hierarchy_.up());
+    if (to <= from) relax(backward_, down[k++], hierarchy_.down());
   }
 }
 

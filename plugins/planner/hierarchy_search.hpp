@@ -9,6 +9,11 @@
 
 namespace stope::planner {
 
+/// Lists, in order, the ranks that a climb from any of `ends` can come to, of a hierarchy that has
+/// chains, and writes the labels of these: kNoWay, at the ends their costs.
+void list_chains(const ContractionHierarchy& hierarchy, std::span<const WayEnd> ends,
+                 SearchLabels& labels, std::vector<std::uint32_t>& chain);
+
 /// Cheapest ways in a graph whose costs have not changed: two searches that climb a contraction
 /// hierarchy, from the sources and from the targets, until they meet. Keeps a reference to it; one
 /// query at a time.
@@ -24,11 +29,14 @@ class HierarchySearch {
   struct Side {
     SearchLabels labels;
     SearchHeap<WayCost> heap;
+    std::vector<std::uint32_t> chain;
   };
   void start(Side& side, std::span<const WayEnd> ends) const;
   void step(Side& side, const Side& other, const ContractionHierarchy::Half& onward,
             const ContractionHierarchy::Half& back);
   void climb(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
+  void climb_in_order_of_cost(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
+  void climb_chains(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
 
   const ContractionHierarchy& hierarchy_;
   Side forward_, backward_;

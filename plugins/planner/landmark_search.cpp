@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "plugins/planner/dijkstra_search.hpp"
+#include "plugins/planner/best_first_search.hpp"
 
 namespace stope::planner {
 

@@ -10,36 +10,28 @@
 
 #include <algorithm>
 
-#include "plugins/planner/dijkstra_search.hpp"
+#include "plugins/planner/hierarchy_search.hpp"
 
 namespace stope::planner {
-namespace {
-
-/// Whether there is but one way on from a node, wherever it was come to from, save back.
-bool is_passage(const SearchGraph& graph, std::uint32_t node) {
-  const std::uint32_t first = graph.first_arc(node), count = graph.end_arc(node) - first;
-  if (count == 1) return graph.arc(first).to != node;
-  if (count != 2) return false;
-  const std::uint32_t a = graph.arc(first).to, b = graph.arc(first + 1).to;
-  const auto into = graph.into(node);
-  return a != b && a != node && b != node &&
-         std::all_of(into.begin(), into.end(),
-                     [&](const SearchGraph::Into& arc) { return arc.from == a || arc.from == b; });
-}
-
-}  // namespace
-
 RerouteSearch::RerouteSearch(const SearchGraph& graph, const ContractionHierarchy& hierarchy)
-    : graph_(graph), hierarchy_(hierarchy), passage_(graph.node_count()) {
-  for (SearchLabels* labels : {&labels_, &down_, &ahead_}) labels->resize(graph.node_count());
-  for (std::uint32_t node = 0; node < graph.node_count(); ++node)
-    passage_[node] = is_passage(graph, node);
+    : hierarchy_(hierarchy), search_(graph, true) {
+  for (SearchLabels* labels : {&down_, &ahead_}) labels->resize(graph.node_count());
 }
 
 void RerouteSearch::descend_from(std::span<const WayEnd> targets) {
+  ahead_.clear();
+  if (hierarchy_.has_chains()) {
+    list_chains(hierarchy_, targets, down_, chain_);
+    for (const std::uint32_t rank : chain_) {
+      const WayCost cost = down_.cost(rank);
+      if (cost == kNoWay) continue;
+      for (const SearchArc& arc : hierarchy_.down().of(rank))
+        if (cost + arc.cost < down_.cost(arc.to)) down_.set(arc.to, cost + arc.cost, kNoArc);
+    }
+    return;
+  }
   down_.clear();
   down_heap_.clear();
-  ahead_.clear();
   const auto reach = [this](std::uint32_t rank, WayCost cost) {
     if (cost >= down_.cost(rank)) return;
     down_.set(rank, cost, kNoArc);
@@ -56,81 +48,45 @@ void RerouteSearch::descend_from(std::span<const WayEnd> targets) {
 /// The unchanged cost from a node to the nearest target; kNoWay if there is no way.
 WayCost RerouteSearch::ahead(std::uint32_t rank) {
   if (ahead_.known(rank)) return ahead_.cost(rank);
+  climb_.clear();
+  if (hierarchy_.has_chains()) {
+    for (std::uint32_t here = rank; here != kNoArc && !ahead_.known(here);
+         here = hierarchy_.next(here))
+      climb_.push_back(here);
+    for (; !climb_.empty(); climb_.pop_back()) take_ahead(climb_.back());
+    return ahead_.cost(rank);
+  }
   // Nodes wait on a stack until all that lie above them are known.
-  climb_.assign(1, rank);
+  climb_.push_back(rank);
   while (!climb_.empty()) {
     const std::uint32_t here = climb_.back();
-    if (ahead_.known(here)) {
-      climb_.pop_back();
-      continue;
+    const std::size_t waiting = climb_.size();
+    if (!ahead_.known(here)) {
+      for (const SearchArc& arc : hierarchy_.up().of(here))
+        if (!ahead_.known(arc.to)) climb_.push_back(arc.to);
     }
-    WayCost best = down_.cost(here);
-    bool waits = false;
-    for (const SearchArc& arc : hierarchy_.up().of(here)) {
-      if (!ahead_.known(arc.to)) {
-        climb_.push_back(arc.to);
-        waits = true;
-      } else if (ahead_.cost(arc.to) != kNoWay) {
-        best = std::min(best, ahead_.cost(arc.to) + arc.cost);
-      }
-    }
-    if (waits) continue;
-    ahead_.set(here, best, kNoArc);
+    if (climb_.size() > waiting) continue;
+    if (!ahead_.known(here)) take_ahead(here);
     climb_.pop_back();
   }
   return ahead_.cost(rank);
 }
 
+/// All above the node are known.
+void RerouteSearch::take_ahead(std::uint32_t rank) {
+  WayCost best = down_.cost(rank);
+  for (const SearchArc& arc : hierarchy_.up().of(rank)) {
+    const WayCost beyond = ahead_.cost(arc.to);
+    if (beyond != kNoWay) best = std::min(best, beyond + arc.cost);
+  }
+  ahead_.set(rank, best, kNoArc);
+}
+
 Way RerouteSearch::find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
                         const CostChanges& changes) {
-  Way way;
-  labels_.clear();
-  heap_.clear();
   descend_from(targets);
-  const auto ends_at = [&](std::uint32_t node) {
-    return std::any_of(targets.begin(), targets.end(),
-                       [node](const WayEnd& target) { return target.node == node; });
-  };
-  const auto reach = [&](std::uint32_t node, WayCost cost, std::uint32_t arc) {
-    while (arc != kNoArc && passage_[node] && !ends_at(node)) {
-      if (cost >= labels_.cost(node)) return;
-      labels_.set(node, cost, arc);
-      std::uint32_t next = graph_.first_arc(node);
-      if (graph_.arc(next).to == graph_.source(arc)) ++next;
-      if (next == graph_.end_arc(node)) return;  // a dead end
-      const WayCost more = changes.cost(next, graph_.arc(next).cost);
-      if (more == kNoWay) return;
-      cost += more;
-      arc = next;
-      node = graph_.arc(next).to;
-    }
-    if (cost >= labels_.cost(node)) return;
-    const WayCost rest = ahead(hierarchy_.rank(node));
-    if (rest == kNoWay) return;
-    labels_.set(node, cost, arc);
-    heap_.push({cost + rest, rest}, node);
-  };
-  for (const WayEnd& source : sources) reach(source.node, source.cost, kNoArc);
-  while (!heap_.empty() && heap_.top().key.whole < way.cost) {
-    const auto [key, node] = heap_.pop();
-    const WayCost cost = labels_.cost(node);
-    if (key.whole - key.ahead > cost) continue;
-    ++way.settled;
-    for (const WayEnd& target : targets) {
-      if (target.node != node || target.cost >= way.cost - cost) continue;
-      way.cost = cost + target.cost;
-      way.target = node;
-    }
-    for (std::uint32_t arc = graph_.first_arc(node); arc < graph_.end_arc(node); ++arc) {
-      const SearchArc& step = graph_.arc(arc);
-      const WayCost more = changes.cost(arc, step.cost);
-      if (more != kNoWay) reach(step.to, cost + more, arc);
-    }
-  }
-  if (!way.found()) return way;
-  way.arcs = arcs_to(graph_, labels_, way.target);
-  way.source = way.arcs.empty() ? way.target : graph_.source(way.arcs.front());
-  return way;
+  return search_.find(sources, targets, changes,
+                      [this](std::uint32_t node) { return ahead(hierarchy_.rank(node)); });
 }
 
 }  // namespace stope::planner

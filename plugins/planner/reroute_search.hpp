@@ -3,9 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "plugins/planner/best_first_search.hpp"
 #include "plugins/planner/contraction_hierarchy.hpp"
-#include "plugins/planner/route_query.hpp"
-#include "plugins/planner/search_labels.hpp"
 
 namespace stope::planner {
 
@@ -19,23 +18,15 @@ class RerouteSearch {
            const CostChanges& changes);
 
  private:
-  struct Key {
-    WayCost whole, ahead;  // of two ways as cheap the one that is further along
-    bool operator<(const Key& other) const {
-      return whole != other.whole ? whole < other.whole : ahead < other.ahead;
-    }
-    bool operator!=(const Key& other) const { return whole != other.whole || ahead != other.ahead; }
-  };
   void descend_from(std::span<const WayEnd> targets);
   WayCost ahead(std::uint32_t rank);
+  void take_ahead(std::uint32_t rank);
 
-  const SearchGraph& graph_;
   const ContractionHierarchy& hierarchy_;
-  SearchLabels labels_, down_, ahead_;
-  SearchHeap<Key> heap_;
+  BestFirstSearch search_;
+  SearchLabels down_, ahead_;
   SearchHeap<WayCost> down_heap_;
-  std::vector<std::uint32_t> climb_;
-  std::vector<bool> passage_;  // nodes with two neighbours: nothing to decide
+  std::vector<std::uint32_t> chain_, climb_;
 };
 
 }  // namespace stope::planner

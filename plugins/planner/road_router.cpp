@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugins/planner/dijkstra_search.hpp"
+#include "plugins/planner/best_first_search.hpp"
 #include "plugins/planner/hierarchy_search.hpp"
 #include "plugins/planner/landmark_search.hpp"
 #include "plugins/planner/reroute_search.hpp"
@@ -29,7 +29,7 @@ double units_for(double all_roads) {
 }  // namespace
 
 struct RoadRouter::Searches {
-  std::optional<DijkstraSearch> plain;
+  std::optional<BestFirstSearch> plain;
   std::optional<Landmarks> landmarks;
   std::optional<LandmarkSearch> by_landmarks;
   std::optional<ContractionHierarchy> hierarchy;
@@ -116,7 +116,7 @@ Way RoadRouter::search(RoadPlace goal, const std::vector<WayEnd>& sources,
   const RoadVertex there = network_.at(goal);
   const auto& nodes = network_.graph().nodes;
   // A metre costs a metre at least, and costs are rounded up, this is rounded down.
-  return searches_->plain->find_by_bound(sources, targets, changes, [&](std::uint32_t node) {
+  return searches_->plain->find(sources, targets, changes, [&](std::uint32_t node) {
     return static_cast<WayCost>((1 - 1e-12) * units_ *
                                 std::hypot(nodes[node].x - there.x, nodes[node].y - there.y));
   });

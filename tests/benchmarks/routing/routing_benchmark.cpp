@@ -1,13 +1,15 @@
 // Cheapest ways on graphs of a million nodes, beside plain Dijkstra and Boost.Graph's A* on the
 // same queries in the same run.
 //
-//   taskset -c 0 build/bin/routing_benchmark [--side N] [--queries N] [--truth N]
-//   [lattice|uneven|roads …]
+//   build/bin/routing_benchmark [--side N] [--queries N] [--truth N] [lattice|uneven|roads …]
+//   build/bin/routing_benchmark --queries 0            only compares, 10 000 pairs a network
 //
 // Networks: `lattice` of 1000 x 1000 nodes, all pieces 10 m; `uneven`, the same with costs between
 // 1 and 2 times the length at random; `roads`, the road-like network of test_networks.cpp. Pairs of
 // nodes are uniform and random. For the reroute the piece in the middle of each pair's cheapest way
-// is blocked both ways. Times are the thread's own CPU time, for each query apart.
+// is blocked both ways. Times are the thread's own CPU time, for each query apart; those of
+// preparing also by the clock on the wall. `--truth N` compares N pairs with Dijkstra's search, as
+// they are and with roads blocked and dearer.
 #include <fmt/format.h>
 #include <time.h>
 
@@ -35,9 +37,9 @@ struct Options {
   std::size_t truth = 10'000;  // compared with Dijkstra's
 };
 
-double now_ms() {
+double now_ms(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) {
   timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  ::clock_gettime(clock, &time);
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
@@ -82,6 +84,7 @@ void measure(const char* name, const std::vector<Pair>& pairs, std::size_t count
   Times times;
   double settled = 0;
   count = std::min(count, pairs.size());
+  if (count == 0) return;
   for (std::size_t i = 0; i < count; ++i)
     settled += static_cast<double>(times.of([&] { return find(pairs[i], i); }).settled);
   times.print(name, settled / static_cast<double>(count));
@@ -159,57 +162,66 @@ bool whole(const SearchGraph& graph, const Pair& pair, const CostChanges& change
   return node == pair.target.node && cost == way.cost;
 }
 
-/// The piece in the middle of a way, both ways.
-CostChanges block_middle(const SearchGraph& graph, const Way& way) {
-  CostChanges changes;
-  if (way.arcs.empty()) return changes;
+/// Blocks the piece in the middle of a way, both ways.
+void block_middle(const SearchGraph& graph, const Way& way, CostChanges& changes) {
+  if (way.arcs.empty()) return;
   const std::uint32_t arc = way.arcs[way.arcs.size() / 2];
   changes.block(arc);
   for (const SearchGraph::Into& into : graph.into(graph.source(arc)))
     if (into.from == graph.arc(arc).to) changes.block(into.arc);
-  return changes;
 }
 
-void compare(const SearchGraph& graph, const std::vector<Pair>& pairs, HierarchySearch& hierarchy,
+/// Compares with Dijkstra's search on the whole graph: every 20 pairs share their first source, so
+/// that one search is the truth for 20. Then the same pairs with the pieces in the middle of five
+/// of their ways blocked both ways, and a hundred pieces anywhere 2 to 11 times as dear.
+void compare(const SearchGraph& graph, std::vector<Pair> pairs, HierarchySearch& hierarchy,
              LandmarkSearch& landmarks, RerouteSearch& reroute) {
+  constexpr std::size_t kShared = 20, kBlocked = 5, kRaised = 100;
   DijkstraSearch dijkstra(graph);
   Random random(11);
-  std::size_t wrong = 0, compared = 0;
-  // All queries from one node at once would be one search; each has a random source instead, and
-  // several targets share it, so that the truth is affordable.
-  constexpr std::size_t kShared = 50;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    static std::vector<WayCost> truth;
-    const std::uint32_t source = pairs[i / kShared * kShared].source.node;
-    if (i % kShared == 0) truth = dijkstra.costs(source);
-    const Pair pair{{source, 0}, pairs[i].target};
+  struct Count {
+    const char* name;
+    std::size_t compared = 0, wrong = 0, detours = 0;
+  } counts[] = {{"contraction hierarchy"},
+                {"rerouting, nothing changed"},
+                {"landmarks"},
+                {"rerouting, roads blocked and dearer"},
+                {"landmarks, roads blocked and dearer"}};
+  for (std::size_t i = 0; i < pairs.size(); i += kShared) {
+    const std::span<Pair> group = std::span(pairs).subspan(i, std::min(kShared, pairs.size() - i));
+    for (Pair& pair : group) pair.source = group.front().source;
     const CostChanges none;
-    for (const Way& way : {hierarchy.find({&pair.source, 1}, {&pair.target, 1}),
-                           reroute.find({&pair.source, 1}, {&pair.target, 1}, none)}) {
-      ++compared;
-      wrong += way.cost != truth[pair.target.node] || !whole(graph, pair, none, way);
+    CostChanges changes;
+    const auto unchanged = dijkstra.costs(group.front().source.node);
+    const auto check = [&](Count& count, const Pair& pair, const std::vector<WayCost>& truth,
+                           const CostChanges& now, const Way& way) {
+      ++count.compared;
+      count.wrong += way.cost != truth[pair.target.node] || !whole(graph, pair, now, way);
+      count.detours += truth[pair.target.node] != unchanged[pair.target.node];
+    };
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const std::span<const WayEnd> from(&group[k].source, 1), to(&group[k].target, 1);
+      const Way way = hierarchy.find(from, to);
+      check(counts[0], group[k], unchanged, none, way);
+      check(counts[1], group[k], unchanged, none, reroute.find(from, to, none));
+      if (k == 0) check(counts[2], group[k], unchanged, none, landmarks.find(from, to));
+      if (k < kBlocked) block_middle(graph, way, changes);
     }
-    if (i % 10 == 0) {
-      const Way way = landmarks.find({&pair.source, 1}, {&pair.target, 1});
-      ++compared;
-      wrong += way.cost != truth[pair.target.node] || !whole(graph, pair, none, way);
-    }
-    if (i % 50 != 0) continue;
-    // A blocked piece on the way and a hundred dearer ones anywhere.
-    CostChanges changes = block_middle(graph, hierarchy.find({&pair.source, 1}, {&pair.target, 1}));
-    for (int k = 0; k < 100; ++k) {
+    for (std::size_t k = 0; k < kRaised; ++k) {
       const auto arc = static_cast<std::uint32_t>(random.below(graph.arc_count()));
       changes.raise(arc, graph.arc(arc).cost * (2 + random.below(10)));
     }
-    const WayCost changed = dijkstra.find({&pair.source, 1}, {&pair.target, 1}, changes).cost;
-    for (const Way& way : {reroute.find({&pair.source, 1}, {&pair.target, 1}, changes),
-                           landmarks.find({&pair.source, 1}, {&pair.target, 1}, changes)}) {
-      ++compared;
-      wrong += way.cost != changed || !whole(graph, pair, changes, way);
+    const auto changed = dijkstra.costs(group.front().source.node, false, changes);
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const std::span<const WayEnd> from(&group[k].source, 1), to(&group[k].target, 1);
+      check(counts[3], group[k], changed, changes, reroute.find(from, to, changes));
+      if (k == 0) check(counts[4], group[k], changed, changes, landmarks.find(from, to, changes));
     }
   }
-  fmt::print("  {} of {} ways compared with Dijkstra's are not optimal or not whole\n", wrong,
-             compared);
+  for (const Count& count : counts)
+    fmt::print("  {:<44} {} of {} ways are not Dijkstra's or not whole; {} lead round\n",
+               count.name, count.wrong, count.compared, count.detours);
+  std::fflush(stdout);
 }
 
 void run(const std::string& name, const TestNetwork& network, double cost_per_metre,
@@ -217,11 +229,17 @@ void run(const std::string& name, const TestNetwork& network, double cost_per_me
   const SearchGraph graph = network.graph();
   fmt::print("{}: {} nodes, {} arcs\n", name, graph.node_count(), graph.arc_count());
   std::fflush(stdout);
-  double start = now_ms();
+  // On all threads that oneTBB has.
+  const double wall = now_ms(CLOCK_MONOTONIC), processor = now_ms(CLOCK_PROCESS_CPUTIME_ID);
   const ContractionHierarchy hierarchy(graph, network.places());
-  fmt::print("  contraction hierarchy made in {:.1f} s, {} arcs and shortcuts\n",
-             1e-3 * (now_ms() - start), hierarchy.up().arcs.size() + hierarchy.down().arcs.size());
-  start = now_ms();
+  fmt::print(
+      "  contraction hierarchy made in {:.1f} s ({:.1f} s of processor time), {} arcs and "
+      "shortcuts\n",
+      1e-3 * (now_ms(CLOCK_MONOTONIC) - wall),
+      1e-3 * (now_ms(CLOCK_PROCESS_CPUTIME_ID) - processor),
+      hierarchy.up().arcs.size() + hierarchy.down().arcs.size());
+  std::fflush(stdout);
+  const double start = now_ms();
   const Landmarks landmarks(graph, 16);
   fmt::print("  16 landmarks measured in {:.1f} s\n", 1e-3 * (now_ms() - start));
   const auto pairs = random_pairs(graph, std::max(options.truth, options.queries));
@@ -235,15 +253,15 @@ void run(const std::string& name, const TestNetwork& network, double cost_per_me
           [&](const Pair& pair, std::size_t) {
             return hierarchy_search.find({&pair.source, 1}, {&pair.target, 1});
           });
-  std::vector<CostChanges> blocked;
+  std::vector<CostChanges> blocked(options.queries);
   for (std::size_t i = 0; i < options.queries; ++i)
-    blocked.push_back(
-        block_middle(graph, hierarchy_search.find({&pairs[i].source, 1}, {&pairs[i].target, 1})));
+    block_middle(graph, hierarchy_search.find({&pairs[i].source, 1}, {&pairs[i].target, 1}),
+                 blocked[i]);
   measure("rerouted round a newly blocked piece", pairs, options.queries,
           [&](const Pair& pair, std::size_t i) {
             return reroute_search.find({&pair.source, 1}, {&pair.target, 1}, blocked[i]);
           });
-  const std::size_t slow = std::max<std::size_t>(1, options.queries / 20);
+  const std::size_t slow = (options.queries + 19) / 20;
   measure("landmarks, both ends", pairs, 4 * slow, [&](const Pair& pair, std::size_t) {
     return landmark_search.find({&pair.source, 1}, {&pair.target, 1});
   });

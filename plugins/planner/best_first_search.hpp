@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "plugins/planner/route_query.hpp"
+#include "plugins/planner/search_labels.hpp"
+
+namespace stope::planner {
+
+/// The arcs that lead to `target`, as a search's labels tell them, from the source on.
+std::vector<std::uint32_t> arcs_to(const SearchGraph& graph, const SearchLabels& labels,
+                                   std::uint32_t target);
+
+/// A* (Hart, Nilsson and Raphael 1968): the loop that all searches from one end share. Keeps a
+/// reference to the graph; one query at a time.
+class BestFirstSearch {
+ public:
+  /// With `through_passages` nodes that have two neighbours, so that there is nothing to decide,
+  /// are driven through without asking what lies ahead. O(V + E) then.
+  explicit BestFirstSearch(const SearchGraph& graph, bool through_passages = false);
+
+  /// A cheapest way from one of the sources to one of the targets. `ahead` gives what the way from
+  /// a node to the nearest target costs at least, kNoWay if there is none. O((V + E) log V).
+  template <class Ahead>
+  Way find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
+           const CostChanges& changes, const Ahead& ahead);
+
+ private:
+  struct Key {
+    WayCost whole, ahead;  // of two ways as cheap the one that is further along
+    bool operator<(const Key& other) const {
+      return whole != other.whole ? whole < other.whole : ahead < other.ahead;
+    }
+    bool operator!=(const Key& other) const { return whole != other.whole || ahead != other.ahead; }
+  };
+
+  bool drive_through(std::uint32_t& node, WayCost& cost, std::uint32_t& arc,
+                     std::span<const WayEnd> targets, const CostChanges& changes);
+
+  const SearchGraph& graph_;
+  std::vector<bool> passage_;  // of each node; empty: none
+  SearchLabels labels_;
+  SearchHeap<Key> heap_;
+};
+
+template <class Ahead>
+Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
+                          const CostChanges& changes, const Ahead& ahead) {
+  Way way;
+  labels_.clear();
+  heap_.clear();
+  const auto reach = [&](std::uint32_t node, WayCost cost, std::uint32_t arc) {
+    if (!passage_.empty() && !drive_through(node, cost, arc, targets, changes)) return;
+    if (cost >= labels_.cost(node)) return;
+    const WayCost rest = ahead(node);
+    if (rest == kNoWay) return;
+    labels_.set(node, cost, arc);
+    heap_.push({cost + rest, rest}, node);
+  };
+  for (const WayEnd& source : sources) reach(source.node, source.cost, kNoArc);
+  while (!heap_.empty() && heap_.top().key.whole < way.cost) {
+    const auto [key, node] = heap_.pop();
+    const WayCost cost = labels_.cost(node);
+    if (key.whole - key.ahead > cost) continue;  // stale
+    ++way.settled;
+    for (const WayEnd& target : targets) {
+      if (target.node != node || target.cost >= way.cost - cost) continue;
+      way.cost = cost + target.cost;
+      way.target = node;
+    }
+    for (std::uint32_t arc = graph_.first_arc(node); arc < graph_.end_arc(node); ++arc) {
+      const SearchArc& step = graph_.arc(arc);
+      const WayCost more = changes.cost(arc, step.cost);
+      if (more != kNoWay) reach(step.to, cost + more, arc);
+    }
+  }
+  if (!way.found()) return way;
+  way.arcs = arcs_to(graph_, labels_, way.target);
+  way.source = way.arcs.empty() ? way.target : graph_.source(way.arcs.front());
+  return way;
+}
+
+}  // namespace stope::planner
