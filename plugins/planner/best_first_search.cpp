@@ -34,6 +34,19 @@ BestFirstSearch::BestFirstSearch(const SearchGraph& graph, bool through_passages
     passage_[node] = is_passage(graph, node);
 }
 
+/// Arcs whose costs are part of what lies ahead: all nodes along them are reached at once, and none
+/// need ask for it.
+void BestFirstSearch::push_along(std::span<const std::uint32_t> arcs, WayCost cost, WayCost ahead) {
+  for (const std::uint32_t arc : arcs) {
+    const SearchArc& step = graph_.arc(arc);
+    cost += step.cost;
+    ahead -= step.cost;
+    if (cost >= labels_.cost(step.to)) continue;
+    labels_.set(step.to, cost, arc);
+    heap_.push({cost + ahead, ahead}, step.to);
+  }
+}
+
 /// From an arc's end to the next node where there is something to decide; whether there is one that
 /// was not come to more cheaply.
 bool BestFirstSearch::drive_through(std::uint32_t& node, WayCost& cost, std::uint32_t& arc,

@@ -13,6 +13,14 @@ namespace stope::planner {
 std::vector<std::uint32_t> arcs_to(const SearchGraph& graph, const SearchLabels& labels,
                                    std::uint32_t target);
 
+/// For searches that know no way on.
+struct NoKnownWay {
+  static constexpr bool wanted(WayCost) { return false; }
+  static constexpr bool follow(std::uint32_t, WayCost, std::vector<std::uint32_t>&) {
+    return false;
+  }
+};
+
 /// A* (Hart, Nilsson and Raphael 1968): the loop that all searches from one end share. Keeps a
 /// reference to the graph; one query at a time.
 class BestFirstSearch {
@@ -20,12 +28,15 @@ class BestFirstSearch {
   /// With `through_passages` nodes that have two neighbours, so that there is nothing to decide,
   /// are driven through without asking what lies ahead. O(V + E) then.
   explicit BestFirstSearch(const SearchGraph& graph, bool through_passages = false);
+  const SearchGraph& graph() const { return graph_; }
 
   /// A cheapest way from one of the sources to one of the targets. `ahead` gives what the way from
-  /// a node to the nearest target costs at least, kNoWay if there is none. O((V + E) log V).
-  template <class Ahead>
+  /// a node to the nearest target costs at least, kNoWay if there is none. If
+  /// `known.wanted(ahead)`, `known.follow(node, ahead, arcs)` lists arcs of a way on whose costs
+  /// make up `ahead`: the whole way, or else, with false, as far as it is free. O((V + E) log V).
+  template <class Ahead, class Known = NoKnownWay>
   Way find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
-           const CostChanges& changes, const Ahead& ahead);
+           const CostChanges& changes, const Ahead& ahead, Known&& known = {});
 
  private:
   struct Key {
@@ -36,6 +47,7 @@ class BestFirstSearch {
     bool operator!=(const Key& other) const { return whole != other.whole || ahead != other.ahead; }
   };
 
+  void push_along(std::span<const std::uint32_t> arcs, WayCost cost, WayCost ahead);
   bool drive_through(std::uint32_t& node, WayCost& cost, std::uint32_t& arc,
                      std::span<const WayEnd> targets, const CostChanges& changes);
 
@@ -43,14 +55,16 @@ class BestFirstSearch {
   std::vector<bool> passage_;  // of each node; empty: none
   SearchLabels labels_;
   SearchHeap<Key> heap_;
+  std::vector<std::uint32_t> known_arcs_;
 };
 
-template <class Ahead>
+template <class Ahead, class Known>
 Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
-                          const CostChanges& changes, const Ahead& ahead) {
+                          const CostChanges& changes, const Ahead& ahead, Known&& known) {
   Way way;
   labels_.clear();
   heap_.clear();
+  known_arcs_.clear();
   const auto reach = [&](std::uint32_t node, WayCost cost, std::uint32_t arc) {
     if (!passage_.empty() && !drive_through(node, cost, arc, targets, changes)) return;
     if (cost >= labels_.cost(node)) return;
@@ -65,6 +79,15 @@ Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEn
     const WayCost cost = labels_.cost(node);
     if (key.whole - key.ahead > cost) continue;  // stale
     ++way.settled;
+    if (known.wanted(key.ahead)) {
+      if (known.follow(node, key.ahead, known_arcs_)) {
+        way.cost = key.whole;
+        way.target = node;
+        break;
+      }
+      push_along(known_arcs_, cost, key.ahead);
+      known_arcs_.clear();
+    }
     for (const WayEnd& target : targets) {
       if (target.node != node || target.cost >= way.cost - cost) continue;
       way.cost = cost + target.cost;
@@ -78,7 +101,9 @@ Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEn
   }
   if (!way.found()) return way;
   way.arcs = arcs_to(graph_, labels_, way.target);
+  way.arcs.insert(way.arcs.end(), known_arcs_.begin(), known_arcs_.end());
   way.source = way.arcs.empty() ? way.target : graph_.source(way.arcs.front());
+  if (!known_arcs_.empty()) way.target = graph_.arc(known_arcs_.back()).to;
   return way;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -48,6 +49,11 @@ class ContractionHierarchy {
     std::vector<Parts> parts;
     std::span<const SearchArc> of(std::uint32_t rank) const {
       return std::span(arcs).subspan(first[rank], first[rank + 1] - first[rank]);
+    }
+    /// The less important end of an arc.
+    std::uint32_t lower_end(std::uint32_t place) const {
+      const auto after = std::upper_bound(first.begin(), first.end(), place);
+      return static_cast<std::uint32_t>(after - first.begin() - 1);
     }
   };
   const Half& up() const { return up_; }

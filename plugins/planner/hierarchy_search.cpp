@@ -98,10 +98,10 @@ void HierarchySearch::climb_chains(std::span<const WayEnd> sources,
     const WayCost cost = side.labels.cost(rank);
     if (cost >= best_) return;
     ++settled_;
-    for (std::uint32_t place = half.first[rank]; place < half.first[rank + 1]; ++place) {
-      const SearchArc& arc = half.arcs[place];
-      if (cost + arc.cost < side.labels.cost(arc.to))
-        side.labels.set(arc.to, cost + arc.cost, place);
+    const std::uint32_t end = half.first[rank + 1];
+    for (std::uint32_t place = half.first[rank]; place < end; ++place) {
+      const SearchArc arc = half.arcs[place];
+      side.labels.lower_known(arc.to, cost + arc.cost, place);
     }
   };
   const auto &up = forward_.chain, &down = backward_.chain;
@@ -131,21 +131,16 @@ Way HierarchySearch::find(std::span<const WayEnd> sources, std::span<const WayEn
   way.cost = best_;
   way.settled = settled_;
   if (!way.found()) return way;
-  // An arc up ends where it was reached; what it comes from is found by its place.
-  const auto below = [](const ContractionHierarchy::Half& half, std::uint32_t place) {
-    const auto after = std::upper_bound(half.first.begin(), half.first.end(), place);
-    return static_cast<std::uint32_t>(after - half.first.begin() - 1);
-  };
   std::vector<std::uint32_t> climbed;
   std::uint32_t rank = top_;
-  for (; forward_.labels.arc(rank) != kNoArc; rank = below(hierarchy_.up(), climbed.back()))
+  for (; forward_.labels.arc(rank) != kNoArc; rank = hierarchy_.up().lower_end(climbed.back()))
     climbed.push_back(forward_.labels.arc(rank));
   way.source = hierarchy_.node(rank);
   for (std::size_t i = climbed.size(); i-- > 0;) hierarchy_.unpack_up(climbed[i], way.arcs);
   for (rank = top_; backward_.labels.arc(rank) != kNoArc;) {
     const std::uint32_t place = backward_.labels.arc(rank);
     hierarchy_.unpack_down(place, way.arcs);
-    rank = below(hierarchy_.down(), place);
+    rank = hierarchy_.down().lower_end(place);
   }
   way.target = hierarchy_.node(rank);
   return way;

@@ -19,29 +19,31 @@ RerouteSearch::RerouteSearch(const SearchGraph& graph, const ContractionHierarch
 }
 
 void RerouteSearch::descend_from(std::span<const WayEnd> targets) {
+  const ContractionHierarchy::Half& half = hierarchy_.down();
   ahead_.clear();
   if (hierarchy_.has_chains()) {
     list_chains(hierarchy_, targets, down_, chain_);
     for (const std::uint32_t rank : chain_) {
       const WayCost cost = down_.cost(rank);
       if (cost == kNoWay) continue;
-      for (const SearchArc& arc : hierarchy_.down().of(rank))
-        if (cost + arc.cost < down_.cost(arc.to)) down_.set(arc.to, cost + arc.cost, kNoArc);
+      for (std::uint32_t place = half.first[rank]; place < half.first[rank + 1]; ++place)
+        down_.lower_known(half.arcs[place].to, cost + half.arcs[place].cost, place);
     }
     return;
   }
   down_.clear();
   down_heap_.clear();
-  const auto reach = [this](std::uint32_t rank, WayCost cost) {
+  const auto reach = [this](std::uint32_t rank, WayCost cost, std::uint32_t place) {
     if (cost >= down_.cost(rank)) return;
-    down_.set(rank, cost, kNoArc);
+    down_.set(rank, cost, place);
     down_heap_.push(cost, rank);
   };
-  for (const WayEnd& target : targets) reach(hierarchy_.rank(target.node), target.cost);
+  for (const WayEnd& target : targets) reach(hierarchy_.rank(target.node), target.cost, kNoArc);
   while (!down_heap_.empty()) {
     const auto [cost, rank] = down_heap_.pop();
     if (cost > down_.cost(rank)) continue;
-    for (const SearchArc& arc : hierarchy_.down().of(rank)) reach(arc.to, cost + arc.cost);
+    for (std::uint32_t place = half.first[rank]; place < half.first[rank + 1]; ++place)
+      reach(half.arcs[place].to, cost + half.arcs[place].cost, place);
   }
 }
 
@@ -74,19 +76,80 @@ WayCost RerouteSearch::ahead(std::uint32_t rank) {
 
 /// All above the node are known.
 void RerouteSearch::take_ahead(std::uint32_t rank) {
+  const ContractionHierarchy::Half& half = hierarchy_.up();
   WayCost best = down_.cost(rank);
-  for (const SearchArc& arc : hierarchy_.up().of(rank)) {
-    const WayCost beyond = ahead_.cost(arc.to);
-    if (beyond != kNoWay) best = std::min(best, beyond + arc.cost);
+  std::uint32_t by = kNoArc;
+  for (std::uint32_t place = half.first[rank]; place < half.first[rank + 1]; ++place) {
+    const WayCost beyond = ahead_.known_cost(half.arcs[place].to);
+    if (beyond >= best || beyond + half.arcs[place].cost >= best) continue;
+    best = beyond + half.arcs[place].cost;
+    by = place;
   }
-  ahead_.set(rank, best, kNoArc);
+  ahead_.set(rank, best, by);
 }
+
+/// Ways as they were before anything changed. Tried where the search begins and then only where it
+/// has come past what was in the way of the last one, less and less often if in vain.
+class RerouteSearch::OldWays {
+ public:
+  OldWays(const RerouteSearch& search, const CostChanges& changes)
+      : search_(search), changes_(changes) {}
+
+  bool wanted(WayCost ahead) {
+    if (ahead >= past_) return false;
+    return waits_ == 0 || --waits_ == 0;
+  }
+
+  bool follow(std::uint32_t node, WayCost ahead, std::vector<std::uint32_t>& arcs) {
+    const ContractionHierarchy& hierarchy = search_.hierarchy_;
+    std::uint32_t rank = hierarchy.rank(node);
+    for (;;) {
+      pieces_.clear();
+      const std::uint32_t up = search_.ahead_.arc(rank);
+      if (up == kNoArc) break;
+      hierarchy.unpack_up(up, pieces_);
+      rank = hierarchy.up().arcs[up].to;
+      if (!append(arcs, ahead)) return false;
+    }
+    while (search_.down_.arc(rank) != kNoArc) {
+      pieces_.clear();
+      const std::uint32_t down = search_.down_.arc(rank);
+      hierarchy.unpack_down(down, pieces_);
+      rank = hierarchy.down().lower_end(down);
+      if (!append(arcs, ahead)) return false;
+    }
+    return true;
+  }
+
+ private:
+  bool append(std::vector<std::uint32_t>& arcs, WayCost& ahead) {
+    for (const std::uint32_t arc : pieces_) {
+      const std::uint32_t cost = search_.search_.graph().arc(arc).cost;
+      if (changes_.cost(arc, cost) != cost) {
+        between_ = ahead < past_ ? 1 : 2 * between_;
+        waits_ = between_;
+        past_ = std::min(past_, ahead);
+        return false;
+      }
+      arcs.push_back(arc);
+      ahead -= cost;
+    }
+    return true;
+  }
+
+  const RerouteSearch& search_;
+  const CostChanges& changes_;
+  WayCost past_ = kNoWay;  // what was ahead where the last way was not free
+  std::uint32_t between_ = 1, waits_ = 0;
+  std::vector<std::uint32_t> pieces_;
+};
 
 Way RerouteSearch::find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
                         const CostChanges& changes) {
   descend_from(targets);
-  return search_.find(sources, targets, changes,
-                      [this](std::uint32_t node) { return ahead(hierarchy_.rank(node)); });
+  return search_.find(
+      sources, targets, changes,
+      [this](std::uint32_t node) { return ahead(hierarchy_.rank(node)); }, OldWays(*this, changes));
 }
 
 }  // namespace stope::planner

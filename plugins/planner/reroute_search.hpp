@@ -18,6 +18,7 @@ class RerouteSearch {
            const CostChanges& changes);
 
  private:
+  class OldWays;
   void descend_from(std::span<const WayEnd> targets);
   WayCost ahead(std::uint32_t rank);
   void take_ahead(std::uint32_t rank);

@@ -23,6 +23,12 @@ class SearchLabels {
   WayCost cost(std::uint32_t node) const { return known(node) ? labels_[node].cost : kNoWay; }
   /// The arc by which a known node was reached; kNoArc for a source.
   std::uint32_t arc(std::uint32_t node) const { return labels_[node].arc; }
+  /// cost() and, if it costs less than that now, set() for nodes that are known.
+  WayCost known_cost(std::uint32_t node) const { return labels_[node].cost; }
+  void lower_known(std::uint32_t node, WayCost cost, std::uint32_t arc) {
+    Label& label = labels_[node];
+    if (cost < label.cost) label.cost = cost, label.arc = arc;
+  }
   void set(std::uint32_t node, WayCost cost, std::uint32_t arc) {
     labels_[node] = {cost, arc, now_};
   }
