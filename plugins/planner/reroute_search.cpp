@@ -3,7 +3,7 @@
 // and a hierarchy gives it exactly: one search climbs from the goal, and any other node's bound is
 // the best over its arcs up, taken when it is first asked for and kept (Strasser and Zeitz, "A Fast
 // and Tight Heuristic for A* in Road Networks", 2021). A* with that bound (Hart, Nilsson and
-// Raphael 1968) runs straight along the old way and looks around only where it is blocked. Nodes
+// Raphael 1968) looks around only where the old way, which it follows at once, is blocked. Nodes
 // with two neighbours are driven through without asking for a bound. Cost: the climb from the goal,
 // and for each node touched a climb through those not yet known.
 #include "plugins/planner/reroute_search.hpp"
@@ -13,6 +13,12 @@
 #include "plugins/planner/hierarchy_search.hpp"
 
 namespace stope::planner {
+namespace {
+
+constexpr WayCost kUnreachable = kNoWay / 2;  // stays so when costs are added
+
+}  // namespace
+
 RerouteSearch::RerouteSearch(const SearchGraph& graph, const ContractionHierarchy& hierarchy)
     : hierarchy_(hierarchy), search_(graph, true) {
   for (SearchLabels* labels : {&down_, &ahead_}) labels->resize(graph.node_count());
@@ -49,14 +55,19 @@ void RerouteSearch::descend_from(std::span<const WayEnd> targets) {
 
 /// The unchanged cost from a node to the nearest target; kNoWay if there is no way.
 WayCost RerouteSearch::ahead(std::uint32_t rank) {
-  if (ahead_.known(rank)) return ahead_.cost(rank);
+  if (!ahead_.known(rank)) take_all_ahead(rank);
+  const WayCost cost = ahead_.known_cost(rank);
+  return cost < kUnreachable ? cost : kNoWay;
+}
+
+void RerouteSearch::take_all_ahead(std::uint32_t rank) {
   climb_.clear();
   if (hierarchy_.has_chains()) {
     for (std::uint32_t here = rank; here != kNoArc && !ahead_.known(here);
          here = hierarchy_.next(here))
       climb_.push_back(here);
     for (; !climb_.empty(); climb_.pop_back()) take_ahead(climb_.back());
-    return ahead_.cost(rank);
+    return;
   }
   // Nodes wait on a stack until all that lie above them are known.
   climb_.push_back(rank);
@@ -71,34 +82,31 @@ WayCost RerouteSearch::ahead(std::uint32_t rank) {
     if (!ahead_.known(here)) take_ahead(here);
     climb_.pop_back();
   }
-  return ahead_.cost(rank);
 }
 
 /// All above the node are known.
 void RerouteSearch::take_ahead(std::uint32_t rank) {
   const ContractionHierarchy::Half& half = hierarchy_.up();
-  WayCost best = down_.cost(rank);
+  WayCost best = std::min(down_.cost(rank), kUnreachable);
   std::uint32_t by = kNoArc;
   for (std::uint32_t place = half.first[rank]; place < half.first[rank + 1]; ++place) {
-    const WayCost beyond = ahead_.known_cost(half.arcs[place].to);
-    if (beyond >= best || beyond + half.arcs[place].cost >= best) continue;
-    best = beyond + half.arcs[place].cost;
+    const WayCost cost = ahead_.known_cost(half.arcs[place].to) + half.arcs[place].cost;
+    if (cost >= best) continue;
+    best = cost;
     by = place;
   }
   ahead_.set(rank, best, by);
 }
 
-/// Ways as they were before anything changed. Tried where the search begins and then only where it
-/// has come past what was in the way of the last one, less and less often if in vain.
+/// Ways as they were before anything changed. Followed from where the search begins, and then from
+/// where it has come nearer to the goal than what was in the way of the last one: so never more
+/// often than there are changes, and never from where it came by following one.
 class RerouteSearch::OldWays {
  public:
   OldWays(const RerouteSearch& search, const CostChanges& changes)
       : search_(search), changes_(changes) {}
 
-  bool wanted(WayCost ahead) {
-    if (ahead >= past_) return false;
-    return waits_ == 0 || --waits_ == 0;
-  }
+  bool wanted(WayCost ahead) const { return ahead < past_; }
 
   bool follow(std::uint32_t node, WayCost ahead, std::vector<std::uint32_t>& arcs) {
     const ContractionHierarchy& hierarchy = search_.hierarchy_;
@@ -126,9 +134,7 @@ class RerouteSearch::OldWays {
     for (const std::uint32_t arc : pieces_) {
       const std::uint32_t cost = search_.search_.graph().arc(arc).cost;
       if (changes_.cost(arc, cost) != cost) {
-        between_ = ahead < past_ ? 1 : 2 * between_;
-        waits_ = between_;
-        past_ = std::min(past_, ahead);
+        past_ = ahead;
         return false;
       }
       arcs.push_back(arc);
@@ -140,7 +146,6 @@ class RerouteSearch::OldWays {
   const RerouteSearch& search_;
   const CostChanges& changes_;
   WayCost past_ = kNoWay;  // what was ahead where the last way was not free
-  std::uint32_t between_ = 1, waits_ = 0;
   std::vector<std::uint32_t> pieces_;
 };
 

@@ -21,6 +21,7 @@ class RerouteSearch {
   class OldWays;
   void descend_from(std::span<const WayEnd> targets);
   WayCost ahead(std::uint32_t rank);
+  void take_all_ahead(std::uint32_t rank);
   void take_ahead(std::uint32_t rank);
 
   const ContractionHierarchy& hierarchy_;
