@@ -5,9 +5,9 @@
 // multifrontal elimination does for linear equations (Duff and Reid 1983): what remains between the
 // border's nodes is handed to the cell above. Then from the whole downwards: each cell is told the
 // true costs between its border's nodes, and a link of its own goes that another node above makes
-// needless (as dear is needless too, since costs are positive: see the proof at `keep_needed`).
+// needless (as dear is needless too, since costs are positive: see the proof in dense_costs.cpp).
 // What is left is a small hierarchy without a single search. Cost: O(n log n) links, O(n^1.5)
-// triangles at 0.05 ns each, some 2 * 10^10 downwards and half as many upwards for a grid of a
+// triangles at 0.05 ns each, some 2 * 10^10 upwards and twice as many downwards for a grid of a
 // million nodes; 8 bytes a link while it runs. Halves are taken at once.
 #include "plugins/planner/cell_contraction.hpp"
 
@@ -18,28 +18,14 @@
 #include <array>
 #include <thread>
 
-#include "plugins/planner/min_plus.hpp"
+#include "plugins/planner/dense_costs.hpp"
 #include "stope/error.hpp"
 
 namespace stope::planner {
 namespace {
 
-// Two of kNever can be added without overflow, and two costs up to kMost stay below kNever.
-constexpr std::uint32_t kNever = 0x7FFFFFFF, kMost = 0x3FFFFFFF;
+constexpr std::uint32_t kMost = 0x3FFFFFFF;  // two such costs stay below kNever
 constexpr std::uint32_t kAlone = 1U << 14U;  // nodes from which on halves are taken at once
-
-/// Links by the place of their lower end.
-struct LinksByLower {
-  std::vector<std::uint32_t> first, links;
-  LinksByLower(std::uint32_t nodes, std::span<const CellLink> all)
-      : first(nodes + 1, 0), links(all.size()) {
-    for (const CellLink& link : all) ++first[std::min(link.from, link.to) + 1];
-    for (std::uint32_t place = 0; place < nodes; ++place) first[place + 1] += first[place];
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t i = 0; i < all.size(); ++i)
-      links[next[std::min(all[i].from, all[i].to)]++] = i;
-  }
-};
 
 class CellContraction {
  public:
@@ -73,12 +59,6 @@ class CellContraction {
   }
 
  private:
-  using Matrix = std::vector<std::uint32_t>;
-  /// True costs between a cell's nodes, own ones first: from a row's node, and to it.
-  struct Truth {
-    Matrix from, to;
-  };
-
   std::uint32_t own(std::uint32_t cell) const { return cells_[cell].end - cells_[cell].own; }
   std::uint32_t width(std::uint32_t cell) const {
     return own(cell) + static_cast<std::uint32_t>(borders_.of(cell).size());
@@ -115,13 +95,13 @@ class CellContraction {
   }
 
   /// Writes the rows of all nodes in a cell; the costs between its border's nodes through it.
-  Matrix take_ways_through(std::uint32_t cell) {
-    std::array<Matrix, 2> through;
+  CostMatrix take_ways_through(std::uint32_t cell) {
+    std::array<CostMatrix, 2> through;
     for_halves(cell, [&](std::uint32_t half, std::size_t which) {
       through[which] = take_ways_through(half);
     });
     const std::uint32_t size = width(cell), own_count = own(cell), next = size - own_count;
-    Matrix costs(static_cast<std::size_t>(size) * size, kNever);
+    CostMatrix costs(static_cast<std::size_t>(size) * size, kNever);
     const auto lower = [&](std::uint32_t from, std::uint32_t to, std::uint32_t cost) {
       std::uint32_t& known = costs[static_cast<std::size_t>(from) * size + to];
       known = std::min(known, cost);
@@ -138,9 +118,9 @@ class CellContraction {
       for (std::size_t a = 0; a < numbers.size(); ++a)
         for (std::size_t b = 0; b < numbers.size(); ++b)
           lower(numbers[a], numbers[b], through[which][a * numbers.size() + b]);
-      Matrix().swap(through[which]);
+      CostMatrix().swap(through[which]);
     }
-    eliminate(costs.data(), own_count, size);
+    lead_over_own(costs.data(), own_count, size);
     for (std::uint32_t node = 0; node < own_count; ++node) {
       std::uint32_t *up = row(cell, node, true), *down = row(cell, node, false);
       for (std::uint32_t other = node + 1; other < size; ++other) {
@@ -150,61 +130,18 @@ class CellContraction {
           if (cost > kMost && cost < kNever) refuse();
       }
     }
-    Matrix rest(static_cast<std::size_t>(next) * next);
+    CostMatrix rest(static_cast<std::size_t>(next) * next);
     for (std::uint32_t i = 0; i < next; ++i)
       std::copy_n(costs.data() + static_cast<std::size_t>(own_count + i) * size + own_count, next,
                   rest.data() + static_cast<std::size_t>(i) * next);
     return rest;
   }
 
-  /// Lets ways between the nodes after each of the first `own_count` lead over it, eight at once.
-  static void eliminate(std::uint32_t* costs, std::uint32_t own_count, std::uint32_t size) {
-    const auto row_of = [&](std::uint32_t node) {
-      return costs + static_cast<std::size_t>(node) * size;
-    };
-    for (std::uint32_t begin = 0; begin < own_count; begin += kRowsAtOnce) {
-      const std::uint32_t end = std::min(begin + kRowsAtOnce, own_count);
-      for (std::uint32_t over = begin; over < end; ++over) {
-        for (std::uint32_t from = over + 1; from < end; ++from)
-          lead_over(row_of(from), over, row_of(over), size);
-      }
-      for (std::uint32_t from = end; from < size; ++from) {
-        for (std::uint32_t over = begin; over < end; ++over)
-          lead_over(row_of(from), over, row_of(over), end);
-        take_rows(row_of(from) + end, row_of(from) + begin, row_of(begin) + end, size, end - begin,
-                  size - end);
-      }
-    }
-  }
-
-  static void lead_over(std::uint32_t* row, std::uint32_t over, const std::uint32_t* onward,
-                        std::uint32_t end) {
-    const std::uint32_t here = row[over];
-    for (std::uint32_t to = over + 1; to < end; ++to)
-      row[to] = std::min(row[to], here + onward[to]);
-  }
-
-  /// take_least_sums() of up to eight rows, `stride` apart.
-  static void take_rows(std::uint32_t* to, const std::uint32_t* costs, const std::uint32_t* rows,
-                        std::uint32_t stride, std::uint32_t row_count, std::uint32_t count) {
-    std::array<std::uint32_t, kRowsAtOnce> chosen;
-    std::array<const std::uint32_t*, kRowsAtOnce> from;
-    chosen.fill(kNever);
-    from.fill(rows);
-    bool any = false;
-    for (std::uint32_t i = 0; i < row_count; ++i) {
-      chosen[i] = costs[i];
-      from[i] = rows + static_cast<std::size_t>(i) * stride;
-      any = any || costs[i] < kNever;
-    }
-    if (any) take_least_sums(to, chosen, from, count);
-  }
-
   /// Tells a cell the true costs between its border's nodes, which its parent knows.
-  void drop_needless(std::uint32_t cell, std::uint32_t parent, const Truth& above) {
+  void drop_needless(std::uint32_t cell, std::uint32_t parent, const TrueCosts& above) {
     const std::uint32_t size = width(cell), own_count = own(cell);
-    Truth truth;
-    for (Matrix* matrix : {&truth.from, &truth.to})
+    TrueCosts truth;
+    for (CostMatrix* matrix : {&truth.from, &truth.to})
       matrix->assign(static_cast<std::size_t>(size) * size, kNever);
     if (own_count < size) {
       const auto numbers = border_in(cell, parent);
@@ -218,67 +155,8 @@ class CellContraction {
         }
       }
     }
-    keep_needed(cell, truth);
+    keep_needed(row(cell, 0, true), row(cell, 0, false), own_count, size, truth);
     for_halves(cell, [&](std::uint32_t half, std::size_t) { drop_needless(half, cell, truth); });
-  }
-
-  /// From the last own node to the first, eight at once: the true costs to and from the nodes
-  /// after it, and which links to keep. A link v-b goes if some third node a above v has cost(v, a)
-  /// + cost(a, b) <= cost(v, b). The ways left suffice: let x be the most important node on any
-  /// cheapest way from s to t. If the first link s-y of a climb to x is gone, some a made it
-  /// needless; a lies on a cheapest way to x, is above s, and nearer to it than y; so among such a
-  /// the nearest has its link kept, and the climb goes on from there to x, which is nearer now.
-  void keep_needed(std::uint32_t cell, Truth& truth) {
-    const std::uint32_t size = width(cell);
-    Matrix round(2ULL * kRowsAtOnce * size);
-    for (std::uint32_t end = own(cell); end > 0;) {
-      const std::uint32_t begin = (end - 1) / kRowsAtOnce * kRowsAtOnce;
-      std::fill(round.begin(), round.end(), kNever);
-      const auto round_of = [&](std::uint32_t node, bool is_up) {
-        return round.data() + (2ULL * (node - begin) + (is_up ? 1 : 0)) * size;
-      };
-      for (const bool is_up : {true, false}) {
-        const Matrix& across = is_up ? truth.from : truth.to;
-        for (std::uint32_t over = end; over < size; over += kRowsAtOnce) {
-          for (std::uint32_t node = begin; node < end; ++node)
-            take_rows(round_of(node, is_up) + end, row(cell, node, is_up) + over,
-                      across.data() + static_cast<std::size_t>(over) * size + end, size,
-                      std::min(kRowsAtOnce, size - over), size - end);
-        }
-      }
-      for (std::uint32_t node = end; node-- > begin;) {
-        keep_needed_of(node, end, size, row(cell, node, true), round_of(node, true), truth.from,
-                       truth.to);
-        keep_needed_of(node, end, size, row(cell, node, false), round_of(node, false), truth.to,
-                       truth.from);
-      }
-      end = begin;
-    }
-  }
-
-  /// Of the links from a node (or, the other way round, to it): `round` has the costs of ways to
-  /// nodes from `end` on over such nodes; those over and to nodes between come to it.
-  static void keep_needed_of(std::uint32_t node, std::uint32_t end, std::uint32_t size,
-                             std::uint32_t* costs, std::uint32_t* round, Matrix& across,
-                             Matrix& back) {
-    for (std::uint32_t over = node + 1; over < end; ++over) {
-      const std::uint32_t* onward = across.data() + static_cast<std::size_t>(over) * size;
-      for (std::uint32_t to = end; to < size; ++to)
-        round[to] = std::min(round[to], costs[over] + onward[to]);
-    }
-    for (std::uint32_t to = node + 1; to < end; ++to) {
-      const std::uint32_t* into = back.data() + static_cast<std::size_t>(to) * size;
-      std::uint32_t least = kNever;
-      for (std::uint32_t over = node + 1; over < size; ++over)
-        least = std::min(least, costs[over] + into[over]);
-      round[to] = least;
-    }
-    for (std::uint32_t to = node + 1; to < size; ++to) {
-      const std::uint32_t true_cost = std::min(costs[to], round[to]);
-      across[static_cast<std::size_t>(node) * size + to] = true_cost;
-      back[static_cast<std::size_t>(to) * size + node] = true_cost;
-      if (costs[to] >= round[to]) costs[to] = kNever;
-    }
   }
 
   KeptHalves kept() {
@@ -320,29 +198,6 @@ class CellContraction {
 };
 
 }  // namespace
-
-CellBorders cell_borders(const Dissection& dissection, std::span<const CellLink> links) {
-  const LinksByLower by_lower(static_cast<std::uint32_t>(dissection.order.size()), links);
-  std::vector<std::vector<std::uint32_t>> waiting(dissection.cells.size());
-  CellBorders borders;
-  for (std::uint32_t cell = 0; cell < dissection.cells.size(); ++cell) {
-    const auto& [first, own, end, parent] = dissection.cells[cell];
-    auto& border = waiting[cell];
-    for (std::uint32_t i = by_lower.first[own]; i < by_lower.first[end]; ++i) {
-      const CellLink& link = links[by_lower.links[i]];
-      border.push_back(std::max(link.from, link.to));
-    }
-    std::sort(border.begin(), border.end());
-    border.erase(std::unique(border.begin(), border.end()), border.end());
-    border.erase(border.begin(), std::lower_bound(border.begin(), border.end(), end));
-    borders.places.insert(borders.places.end(), border.begin(), border.end());
-    borders.first.push_back(static_cast<std::uint32_t>(borders.places.size()));
-    if (parent != Cell::kNone)
-      waiting[parent].insert(waiting[parent].end(), border.begin(), border.end());
-    std::vector<std::uint32_t>().swap(border);
-  }
-  return borders;
-}
 
 KeptHalves contract_cells(const Dissection& dissection, const CellBorders& borders,
                           std::span<const CellLink> links, const std::function<void()>& pause) {
