@@ -51,9 +51,8 @@ class KeyMaker {
     };
     add("use", stage.info.id);
     add("plugin build", record->build_id);
-    for (std::size_t i = 0; i < stage.parameters.size(); ++i)
-      add("parameter " + stage.info.parameters[i].name,
-          text_of(stage.info.parameters[i], stage.parameters[i]));
+    for (std::size_t i = 0; i < stage.parameters.size(); ++i) add_parameter(stage, i, key);
+    if (stage.info.also_reads) add_further_files(stage, key);
     for (std::size_t i = 0; i < stage.inputs.size(); ++i) add_input(stage, i, key);
     for (const PortInfo& port : stage.info.outputs)
       add("payload of output " + port.name, fmt::format("{} {:016x}", port.type, port.layout));
@@ -86,10 +85,40 @@ class KeyMaker {
         {"payload of input " + port.name, fmt::format("{} {:016x}", port.type, port.layout)});
   }
 
-  std::string text_of(const ParameterInfo& parameter, const ParameterValue& value) const {
+  void add_parameter(const PlannedStage& stage, std::size_t place, StageKey& key) const {
+    const ParameterInfo& parameter = stage.info.parameters[place];
+    const ParameterValue& value = stage.parameters[place];
     const auto* path = std::get_if<std::string>(&value);
-    if (parameter.kind != ParameterKind::kPath || !path) return exact_text(value);
-    return "content " + facts_.digest_of_path(*path).text();
+    const bool is_path = parameter.kind == ParameterKind::kPath && path;
+    key.parts.push_back(
+        {"parameter " + parameter.name, is_path ? content_of(*path, key) : exact_text(value)});
+  }
+
+  void add_further_files(const PlannedStage& stage, StageKey& key) const {
+    const std::unique_ptr<StageInstance> instance = catalogue_.create(stage.info.id);
+    Outcome outcome;
+    for (std::size_t i = 0; i < stage.parameters.size() && outcome; ++i)
+      outcome = instance->set_parameter(i, stage.parameters[i]);
+    std::vector<std::filesystem::path> paths;
+    if (outcome) outcome = instance->also_reads(paths);
+    if (!outcome) {
+      // The run will meet the same and say so where it belongs.
+      key.only_this_run = true;
+      key.parts.push_back({"further files", outcome.sentence});
+    }
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      key.parts.push_back(
+          {fmt::format("further file {}", i + 1),
+           fmt::format("{}, {}", paths[i].filename().string(), content_of(paths[i], key))});
+  }
+
+  std::string content_of(const std::filesystem::path& path, StageKey& key) const {
+    try {
+      return "content " + facts_.digest_of_path(path).text();
+    } catch (const Error& error) {
+      key.only_this_run = true;
+      return error.what();
+    }
   }
 
   const Plan& plan_;

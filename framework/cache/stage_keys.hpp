@@ -34,9 +34,10 @@ struct KeyFacts {
   std::function<Digest(const std::filesystem::path&)> digest_of_path;  ///< of files and folders
 };
 
-/// The key of each stage of a plan: from its id, its plugin's build, its parameters in SI units
-/// with files by their content, the keys of its inputs, its payloads' layouts and its seed. Stages
-/// that are live or not deterministic are keyed by the run. Throws what digest_of_path throws.
+/// The key of each stage of a plan: from its id, its plugin's build, its parameters in SI units,
+/// the content of the files that they name or that it also reads, the keys of its inputs, its
+/// payloads' layouts and its seed. Stages that are live, not deterministic, or read what cannot be
+/// read are keyed by the run. Throws Error if a stage cannot be made.
 std::vector<StageKey> stage_keys(const Plan& plan, const Catalogue& catalogue,
                                  const KeyFacts& facts);
 

@@ -43,6 +43,7 @@ class StoredStage final : public StageInstance {
                 std::span<std::shared_ptr<const void>>) const noexcept override {
     return {Outcome::Kind::kFailed, "a stored stage is run, not applied"};
   }
+  Outcome also_reads(std::vector<std::filesystem::path>&) const noexcept override { return {}; }
 
  private:
   using Entry = std::tuple<Stamp, std::size_t, const KeptItem*>;

@@ -120,6 +120,7 @@ void visit_stage(auto& visit, auto& stage) {
   visit(stage.in_order);
   visit(stage.deterministic);
   visit(stage.live);
+  visit(stage.also_reads);
   visit(stage.extensions);
 }
 

@@ -16,7 +16,7 @@ struct Manifest {
 };
 
 /// Changes when the encoded form does.
-inline constexpr std::uint32_t kManifestFormat = 1;
+inline constexpr std::uint32_t kManifestFormat = 2;
 
 void encode_manifest(const Manifest& manifest, ByteSink& sink);
 

@@ -32,6 +32,10 @@ class ConicalMap final : public Stage {
         .param("map", &Params::map, required() + existing(PathKind::kFile), "The map's yaml file.");
   }
 
+  std::vector<std::filesystem::path> also_reads() const {
+    return {read_conical_yaml(params.map).image};
+  }
+
   void run(Context& context) override {
     const ConicalYaml map = read_conical_yaml(params.map);
     PaintedMap painted = read_painted_map(map, context);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "plugins/map_source/map_yaml.hpp"
 #include "plugins/map_source/raster_reader.hpp"
@@ -26,6 +27,10 @@ class MapServer final : public Stage {
             "254 steps where nav2 rounds to percent.")
         .output("grid", &MapServer::grid, "The map.")
         .param("map", &Params::map, required() + existing(PathKind::kFile), "The map's yaml file.");
+  }
+
+  std::vector<std::filesystem::path> also_reads() const {
+    return {read_map_yaml(params.map).image};
   }
 
   void run(Context& context) override {

@@ -81,7 +81,8 @@ TEST_F(HostilePlugins, NoNote) {
 
 TEST_F(HostilePlugins, WrongEpoch) {
   expect_refused(add("wrong_epoch"), PluginStatus::kOtherEpoch,
-                 "built for ABI epoch 3, this Stope has epoch 2: rebuild it");
+                 "built for ABI epoch " + std::to_string(kAbiEpoch + 1) +
+                     ", this Stope has epoch " + std::to_string(kAbiEpoch) + ": rebuild it");
 }
 
 TEST_F(HostilePlugins, OtherEigenAlignment) {

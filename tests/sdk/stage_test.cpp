@@ -47,6 +47,44 @@ class Count final : public Stage {
   }
 };
 
+/// Reads a file beside the one it is told of.
+class Atlas final : public Stage {
+ public:
+  struct Params {
+    std::filesystem::path sheet;
+  } params;
+  static void describe(About<Atlas>& about) {
+    about.summary("Reads a sheet and its legend.").param("sheet", &Params::sheet, "The sheet.");
+  }
+  std::vector<std::filesystem::path> also_reads() const {
+    if (!params.sheet.has_filename()) throw Error("the sheet has no name");
+    return {params.sheet.parent_path() / "legend"};
+  }
+  void run(Context&) override {}
+};
+
+TEST(Stage, NamesTheFilesThatItAlsoReads) {
+  StageInfo info;
+  ASSERT_TRUE(stage_entry<Atlas>("test/atlas").describe(info));
+  EXPECT_TRUE(info.also_reads);
+  InstanceOf<Atlas> atlas("test/atlas");
+  EXPECT_TRUE(atlas.info().also_reads);
+  ASSERT_TRUE(atlas.set_parameter(0, std::string("/maps/north")));
+  std::vector<std::filesystem::path> paths;
+  ASSERT_TRUE(atlas.also_reads(paths));
+  EXPECT_EQ(paths, (std::vector<std::filesystem::path>{"/maps/legend"}));
+  ASSERT_TRUE(atlas.set_parameter(0, std::string("/maps/")));
+  EXPECT_EQ(atlas.also_reads(paths).sentence, "the sheet has no name");
+}
+
+TEST(Stage, AlsoReadsNothingIfItDoesNotSaySo) {
+  const InstanceOf<Count> count("test/count");
+  EXPECT_FALSE(count.info().also_reads);
+  std::vector<std::filesystem::path> paths;
+  EXPECT_TRUE(count.also_reads(paths));
+  EXPECT_TRUE(paths.empty());
+}
+
 TEST(Stage, DeclaresItselfWithoutBeingMade) {
   StageInfo info;
   ASSERT_TRUE(stage_entry<Thicken>("test/thicken").describe(info));

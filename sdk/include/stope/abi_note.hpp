@@ -8,7 +8,7 @@
 namespace stope {
 
 /// Changes when a plugin built before can no longer be used. Not the release number.
-inline constexpr std::uint32_t kAbiEpoch = 2;
+inline constexpr std::uint32_t kAbiEpoch = 3;
 
 /// What a plugin was built with, kept in the ELF note `.note.stope`, which the framework reads
 /// before it opens the library. Fixed-size and plain so that any version of the framework can read

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <concepts>
+#include <filesystem>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "stope/context.hpp"
 #include "stope/ports.hpp"
@@ -18,6 +21,20 @@ class Stage {
   /// Does the work. May return before its inputs end; the rest is discarded. Throw Error to stop
   /// the run.
   virtual void run(Context& context) = 0;
+};
+
+/// A stage, or Map, that reads more files than its parameters of type std::filesystem::path name,
+/// such as the picture that a map's yaml names:
+///
+///     std::vector<std::filesystem::path> also_reads() const;
+///
+/// gives the others, files or whole folders, for the parameters it has been given. The framework
+/// asks before it runs the stage, or without running it, to tell by their content whether what it
+/// gave before still holds. One that is not there is given like any other; throw Error where it
+/// cannot be told, and run() will say what is wrong.
+template <class S>
+concept AlsoReads = requires(const S& stage) {
+  { stage.also_reads() } -> std::same_as<std::vector<std::filesystem::path>>;
 };
 
 template <class Signature>

@@ -32,6 +32,8 @@ struct StageInfo {
   bool in_order = false;      ///< of a map: is given one item at a time, in order
   bool deterministic = true;  ///< same inputs, same bytes
   bool live = false;          ///< may drop items when the run cannot keep pace
+  /// Has also_reads(): reads more files than its parameters of kind path name.
+  bool also_reads = false;
   std::vector<std::string>
       extensions;  ///< of an export: the file endings it writes, without the dot
 };

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "stope/about.hpp"
 
@@ -34,6 +36,9 @@ class StageInstance {
   /// nothing is wired. Fills `outputs`, in the order of info().outputs.
   virtual Outcome apply(std::span<const AnyItem> inputs, Context& context,
                         std::span<std::shared_ptr<const void>> outputs) const noexcept = 0;
+  /// Fills `paths` with the files and folders it reads besides those its parameters name. Called
+  /// after set_parameter(), before or instead of run().
+  virtual Outcome also_reads(std::vector<std::filesystem::path>& paths) const noexcept = 0;
 };
 
 /// Calls `work` and turns what it throws into an Outcome.
@@ -53,14 +58,21 @@ Outcome guarded(Work&& work) noexcept {
   }
 }
 
+/// Fills `info` and `bindings` from the declaration of a stage class S.
+template <class S>
+void describe_stage(StageInfo& info, Bindings<S>& bindings) {
+  About<S> about(info, bindings);
+  S::describe(about);
+  info.also_reads = AlsoReads<S>;
+}
+
 /// The StageInstance of a stage class S. Compiled into the plugin.
 template <class S>
 class InstanceOf final : public StageInstance {
  public:
   explicit InstanceOf(std::string id) {
     info_.id = std::move(id);
-    About<S> about(info_, bindings_);
-    S::describe(about);
+    describe_stage(info_, bindings_);
   }
   const StageInfo& info() const noexcept override { return info_; }
   Outcome set_parameter(std::size_t place, const ParameterValue& value) noexcept override {
@@ -101,6 +113,15 @@ class InstanceOf final : public StageInstance {
       });
     } else {
       return {Outcome::Kind::kFailed, "a Stage is run, not applied"};
+    }
+  }
+
+  Outcome also_reads(
+      [[maybe_unused]] std::vector<std::filesystem::path>& paths) const noexcept override {
+    if constexpr (AlsoReads<S>) {
+      return guarded([&] { paths = stage_.also_reads(); });
+    } else {
+      return {};
     }
   }
 
@@ -152,8 +173,7 @@ StageEntry stage_entry(const char* id) {
               info = {};
               info.id = kId;
               Bindings<S> bindings;
-              About<S> about(info, bindings);
-              S::describe(about);
+              describe_stage(info, bindings);
             });
           },
           [](std::unique_ptr<StageInstance>& instance) noexcept {

@@ -9,7 +9,24 @@
 namespace stope {
 namespace {
 
-/// Stages that are there by name and build alone.
+/// Reads a file beside the one it is told of; its value is the file's folder.
+class Atlas final : public Stage {
+ public:
+  struct Params {
+    std::string value;
+  } params;
+  OutValue<OccupancyGrid> grid;
+  static void describe(About<Atlas>& about) {
+    about.output("grid", &Atlas::grid).param("value", &Params::value, "Where the legend is.");
+  }
+  std::vector<std::filesystem::path> also_reads() const {
+    if (params.value.empty()) throw Error("the atlas has no folder");
+    return {params.value + "/legend", params.value + "/sheet"};
+  }
+  void run(Context&) override {}
+};
+
+/// Stages that are there by name and build; all are made as an Atlas.
 class Builds final : public Catalogue {
  public:
   void add(const StageInfo& info, std::string build) {
@@ -25,7 +42,9 @@ class Builds final : public Catalogue {
       if (stage.info.id == id) return &stage;
     return nullptr;
   }
-  std::unique_ptr<StageInstance> create(std::string_view) const override { return nullptr; }
+  std::unique_ptr<StageInstance> create(std::string_view id) const override {
+    return std::make_unique<InstanceOf<Atlas>>(std::string(id));
+  }
 
  private:
   std::vector<StageRecord> stages_;
@@ -138,6 +157,33 @@ TEST_F(StageKeysTest, TextsCannotPassForOneAnother) {
   const Digest two = keys()[kLog].digest;
   plan_.stages[kLog].parameters[0] = std::vector<std::string>{"a\" 1:\"b"};
   EXPECT_NE(keys()[kLog].digest, two);
+}
+
+TEST_F(StageKeysTest, AFileThatAStageAlsoReadsCounts) {
+  std::string legend = "red: road";
+  facts_.digest_of_path = [&](const std::filesystem::path& path) {
+    return digest_of(path == "/maps/legend" ? legend : path.string());
+  };
+  plan_.stages[kLog].parameters[0] = std::string("/maps");
+  EXPECT_EQ(changed_by([&] { plan_.stages[kLog].info.also_reads = true; }), Names{"log"});
+  const StageKey before = keys()[kLog];
+  EXPECT_EQ(changed_by([&] { legend = "red: wall"; }), Names{"log"});
+  EXPECT_EQ(differences(before, keys()[kLog]),
+            (std::vector<std::string>{"further file 1 was legend, content " +
+                                      digest_of(std::string("red: road")).text() +
+                                      ", is legend, content " + digest_of(legend).text()}));
+}
+
+TEST_F(StageKeysTest, WhatCannotBeReadIsKeyedByTheRun) {
+  plan_.stages[kLog].info.also_reads = true;
+  plan_.stages[kLog].parameters[0] = std::string();
+  EXPECT_TRUE(keys()[kLog].only_this_run);
+  EXPECT_FALSE(keys()[kScans].only_this_run);
+  facts_.digest_of_path = [](const std::filesystem::path&) -> Digest {
+    throw Error("the disk is gone");
+  };
+  EXPECT_TRUE(keys()[kScans].only_this_run);
+  EXPECT_TRUE(keys()[kRoads].only_this_run);
 }
 
 TEST_F(StageKeysTest, SayWhatIsDifferent) {

@@ -33,9 +33,10 @@ TEST(Manifest, ComesBackWhole) {
   EXPECT_EQ(after.plugin_version, "4.5.6");
   ASSERT_EQ(after.stages.size(), 2U);
   const StageInfo &a = before.stages[1], &b = after.stages[1];
-  EXPECT_EQ(
-      std::tie(a.id, a.summary, a.source, a.notes, a.map, a.deterministic, a.live, a.extensions),
-      std::tie(b.id, b.summary, b.source, b.notes, b.map, b.deterministic, b.live, b.extensions));
+  EXPECT_EQ(std::tie(a.id, a.summary, a.source, a.notes, a.map, a.deterministic, a.live,
+                     a.also_reads, a.extensions),
+            std::tie(b.id, b.summary, b.source, b.notes, b.map, b.deterministic, b.live,
+                     b.also_reads, b.extensions));
   ASSERT_EQ(b.inputs.size(), 1U);
   ASSERT_EQ(b.outputs.size(), 1U);
   expect_equal(a.inputs[0], b.inputs[0]);

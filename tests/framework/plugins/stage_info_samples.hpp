@@ -16,6 +16,7 @@ inline Manifest full_manifest() {
   stage.map = true;
   stage.deterministic = false;
   stage.live = true;
+  stage.also_reads = true;
   stage.extensions = {"pdf", "svg"};
   const auto add = [&stage](const std::string& name, ParameterKind kind, ParameterValue value,
                             const Limits& limits) {

@@ -124,6 +124,21 @@ TEST(ConicalMap, RegionsAndEveryValueOfOccupancyComeBackToTheLastBit) {
   }
 }
 
+TEST(ConicalMap, AlsoReadsThePictureItsYamlNamesOrTheOneBesideIt) {
+  const MapFolder folder;
+  const RegionMap map = made_regions(1, 12, 9, 4);
+  const Files files = files_of(map, nullptr);
+  stope::testing::StageHarness stage(stope_stage_ConicalMap());
+  stage.set("map", write(folder, files).string());
+  EXPECT_EQ(stage.also_reads(), (std::vector<std::filesystem::path>{folder.path() / "map.ppm"}));
+  folder.write("renamed.ppm", files.ppm);
+  stage.set("map", folder.write("renamed.yaml", files.yaml).string());
+  EXPECT_EQ(stage.also_reads(), (std::vector<std::filesystem::path>{folder.path() / "map.ppm"}));
+  std::filesystem::remove(folder.path() / "map.ppm");
+  EXPECT_EQ(stage.also_reads(),
+            (std::vector<std::filesystem::path>{folder.path() / "renamed.ppm"}));
+}
+
 TEST(ConicalMap, ARegionWithoutCellsAndOneOfManyPiecesComeBack) {
   RegionMap map = made_regions(4, 40, 30, 6);
   for (std::int32_t& label : map.labels.cells) {

@@ -39,6 +39,17 @@ TEST(MapServer, TheTopRowOfThePictureIsTheHighestOfTheGrid) {
   EXPECT_EQ(grid.cells, (Cells{kU, kO, kF, kF, kF, kO}));
 }
 
+TEST(MapServer, AlsoReadsThePictureItsYamlNames) {
+  const MapFolder folder;
+  stope::testing::StageHarness stage(stope_stage_MapServer());
+  EXPECT_TRUE(stage.info().also_reads);
+  stage.set("map", folder.write_yaml("not-there.pgm").string());
+  EXPECT_EQ(stage.also_reads(),
+            (std::vector<std::filesystem::path>{folder.path() / "not-there.pgm"}));
+  stage.set("map", (folder.path() / "no.yaml").string());
+  EXPECT_THROW(stage.also_reads(), Error);
+}
+
 TEST(MapServer, ReadsPlainAndWidePgm) {
   const MapFolder folder;
   folder.write("plain.pgm", "P2 2 2 # size\n15\n15 0\n0 15\n");

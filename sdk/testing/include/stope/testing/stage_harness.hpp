@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -57,6 +58,13 @@ class StageHarness {
     return *this;
   }
   void run() { check(instance_->run(*context_)); }
+
+  /// The files it reads besides those its parameters name.
+  std::vector<std::filesystem::path> also_reads() const {
+    std::vector<std::filesystem::path> paths;
+    check(instance_->also_reads(paths));
+    return paths;
+  }
 
   const StageInfo& info() const { return instance_->info(); }
   MemoryContext& context() { return *context_; }
