@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "plugins/planner/cell_line.hpp"
+
 namespace stope::planner {
 namespace {
 
@@ -52,12 +54,9 @@ Ground DrivableGrid::ground_at(const Vector2& point) const {
 }
 
 bool DrivableGrid::line_free(const Vector2& a, const Vector2& b) const {
-  const double steps = std::ceil((b - a).norm() / (0.5 * grid_.frame.resolution));
-  for (double i = 0; i <= steps; ++i) {
-    const Vector2 point = steps > 0 ? Vector2(a + (i / steps) * (b - a)) : a;
-    if (ground_at(point) != Ground::kFree) return false;
-  }
-  return true;
+  if (ground_at(a) != Ground::kFree || ground_at(b) != Ground::kFree) return false;
+  return walk_line(grid_.frame.to_grid(a.x(), a.y()), grid_.frame.to_grid(b.x(), b.y()),
+                   [this](Cell cell) { return free(cell); });
 }
 
 double DrivableGrid::clearance(const Vector2& point, double most) const {

@@ -20,8 +20,8 @@ class DrivableGrid {
     return grid_.frame.contains(cell) && grid_.cells[grid_.frame.place(cell)] < 127;
   }
   Ground ground_at(const Vector2& point) const;
-  /// Whether the straight line between two points runs through free cells only (looked at every
-  /// half cell).
+  /// Whether the straight line between two points touches free cells only; where it runs through a
+  /// corner of cells, all that meet there count.
   bool line_free(const Vector2& a, const Vector2& b) const;
   /// Metres from a point to the centre of the nearest cell of the map that is not free, at most
   /// `most`.

@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "plugins/planner/road_snap.hpp"
-#include "plugins/planner/shortcut.hpp"
 
 namespace stope::planner {
 namespace {
@@ -166,7 +165,7 @@ bool FreeGround::valid(const Vector2& point) const {
 }
 
 bool FreeGround::sees(const Vector2& a, const Vector2& b) const {
-  if (!line_clear(grid_, a, b)) return false;
+  if (!grid_.line_free(a, b)) return false;
   const double steps = std::ceil((b - a).norm() / (0.5 * grid_.frame().resolution));
   for (double i = 0; i <= steps; ++i)
     if (!valid(steps > 0 ? Vector2(a + (i / steps) * (b - a)) : a)) return false;

@@ -15,46 +15,25 @@
 #include <queue>
 #include <tuple>
 
+#include "plugins/planner/cell_box.hpp"
+
 namespace stope::planner {
 namespace {
 
 constexpr std::int32_t kWindowRadius = 1024;  // cells
 
-/// The cells around a point, with what the search knows of each.
-class Window {
- public:
-  Window(const DrivableGrid& grid, Cell centre, std::int32_t radius)
-      : grid_(grid),
-        left_(std::max(0, centre.column - radius)),
-        bottom_(std::max(0, centre.row - radius)),
-        width_(std::min(grid.frame().width, centre.column + radius + 1) - left_),
-        height_(std::min(grid.frame().height, centre.row + radius + 1) - bottom_) {}
-
-  std::size_t size() const {
-    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  }
-  bool contains(Cell cell) const {
-    return cell.column >= left_ && cell.row >= bottom_ && cell.column < left_ + width_ &&
-           cell.row < bottom_ + height_;
-  }
-  std::uint32_t place(Cell cell) const {
-    return static_cast<std::uint32_t>((cell.row - bottom_) * width_ + cell.column - left_);
-  }
-  Cell cell(std::uint32_t place) const {
-    const auto at = static_cast<std::int32_t>(place);
-    return {left_ + at % width_, bottom_ + at / width_};
-  }
-  bool free(Cell cell) const { return contains(cell) && grid_.free(cell); }
-
- private:
-  const DrivableGrid& grid_;
-  std::int32_t left_, bottom_, width_, height_;
-};
+/// The cells of a grid around one of them.
+CellBox window_around(const GridFrame& frame, Cell centre, std::int32_t radius) {
+  CellBox box{std::max(0, centre.column - radius), std::max(0, centre.row - radius), 0, 0};
+  box.width = std::min(frame.width, centre.column + radius + 1) - box.left;
+  box.height = std::min(frame.height, centre.row + radius + 1) - box.bottom;
+  return box;
+}
 
 using RoadCells = std::vector<std::optional<RoadPlace>>;
 
 /// Marks the window's cells that roads run through with the place; the first road wins.
-RoadCells mark_roads(const Window& window, const GridFrame& frame, const RoadNetwork& network,
+RoadCells mark_roads(const CellBox& window, const GridFrame& frame, const RoadNetwork& network,
                      const std::vector<SnappedPlace>& candidates, double most) {
   RoadCells marks(window.size());
   for (const SnappedPlace& candidate : candidates) {
@@ -91,7 +70,8 @@ std::optional<Link> search_cells(const DrivableGrid& grid, const RoadNetwork& ne
   const GridFrame& frame = grid.frame();
   const auto radius = static_cast<std::int32_t>(
       std::min<double>(kWindowRadius, std::ceil(most / frame.resolution)));
-  const Window window(grid, start, radius);
+  const CellBox window = window_around(frame, start, radius);
+  const auto free = [&](Cell cell) { return window.contains(cell) && grid.free(cell); };
   const RoadCells marks = mark_roads(window, frame, network, candidates, most);
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   std::vector<float> costs(window.size(), kInfinity);
@@ -119,10 +99,10 @@ std::optional<Link> search_cells(const DrivableGrid& grid, const RoadNetwork& ne
     for (std::int32_t dy = -1; dy <= 1; ++dy) {
       for (std::int32_t dx = -1; dx <= 1; ++dx) {
         const Cell next{cell.column + dx, cell.row + dy};
-        if (!window.free(next)) continue;
+        if (!free(next)) continue;
         const bool diagonal = dx != 0 && dy != 0;
-        if (diagonal && (!window.free({cell.column + dx, cell.row}) ||
-                         !window.free({cell.column, cell.row + dy})))
+        if (diagonal &&
+            (!free({cell.column + dx, cell.row}) || !free({cell.column, cell.row + dy})))
           continue;
         const float longer = cost + (diagonal ? std::numbers::sqrt2_v<float> : 1.0F);
         const std::uint32_t there = window.place(next);

@@ -57,13 +57,14 @@ Path RoadPlanner::plan(const OccupancyGrid* grid, const PlanRequest& request, co
   std::optional<DrivableGrid> drivable;
   if (grid) drivable.emplace(*grid);
   const DrivableGrid* ground = drivable ? &*drivable : nullptr;
-  RoadChanges changes = resolve(request.changes, network_, request.snap_distance);
+  const RoadChanges requested = resolve(request.changes, network_, request.snap_distance);
+  RoadChanges changes = requested;  // and what the grid shows obstructed
   const PlanEnds ends(network_, ground, request, changes, say);
   const Route route = unobstructed_route(
       router_, network_, request.avoid_obstructed ? ground : nullptr, ends, changes, say);
   std::vector<RoadVertex> line = line_of_route(route, ends, network_, ground);
   if (request.shortcut && ground)
-    line = shortened_route(route, std::move(line), router_, network_, *ground, ends, changes);
+    line = shortened_route(std::move(line), network_, *ground, requested, say);
   else if (request.shortcut)
     say("shortcut needs a grid to see free ground in; without one the way follows the roads");
   Path path;

@@ -1,154 +1,101 @@
 // Problem: roads of a graph run along the middle between obstacles; in open ground the way that a
-// driver takes is shorter.
-// Idea: the discs of clearance around a few good routes hold the ground they run through. Within
-// that tube A* over cells (eight neighbours, corners are not cut) finds the shortest way, which may
-// change from one route to another; then it is pulled straight wherever a line of sight allows.
-// Cost: O(n log n) in the cells of the tube; the lines of sight add some hundred cells each.
+// driver takes is shorter, and it may be another one altogether.
+// Idea: A* over the cells of free ground finds a way that is no longer than any other over cells,
+// whichever side of whatever obstacle it takes; then it is pulled straight wherever a line of sight
+// allows. It looks only where a way no longer than that by road can lead.
+// Cost: O(n) in the cells looked at, as costs are whole numbers and the queue is buckets of equal
+// keys; the lines of sight add some hundred cells each.
 #include "plugins/planner/shortcut.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
-#include "plugins/planner/search_labels.hpp"
+#include "plugins/planner/cell_line.hpp"
 
 namespace stope::planner {
 namespace {
 
 // A step to the side and across, 1 : sqrt(2) to six digits, in whole numbers.
-constexpr WayCost kStraight = 408'000, kDiagonal = 576'999;
-constexpr std::size_t kMostCells = 64'000'000;
+constexpr std::uint32_t kStraight = 408, kDiagonal = 577, kUnknown = 0xFFFFFFFF;
 
-/// Visits the cells a line touches, from a to b, while `visit` says so; both cells beside a corner
-/// it runs through. Coordinates in cells.
-template <class Visit>
-bool walk_line(const Vector2& a, const Vector2& b, const Visit& visit) {
-  auto column = static_cast<std::int32_t>(std::floor(a.x()));
-  auto row = static_cast<std::int32_t>(std::floor(a.y()));
-  const auto last_column = static_cast<std::int32_t>(std::floor(b.x()));
-  const auto last_row = static_cast<std::int32_t>(std::floor(b.y()));
-  const double dx = b.x() - a.x(), dy = b.y() - a.y();
-  const std::int32_t across = dx > 0 ? 1 : -1, along = dy > 0 ? 1 : -1;
-  if (!visit(Cell{column, row})) return false;
-  while (column != last_column || row != last_row) {
-    // How far along the line the next boundary in x and in y lies, times |dx dy|.
-    const double next_x = column == last_column
-                              ? HUGE_VAL
-                              : (across > 0 ? column + 1 - a.x() : a.x() - column) * std::abs(dy);
-    const double next_y =
-        row == last_row ? HUGE_VAL : (along > 0 ? row + 1 - a.y() : a.y() - row) * std::abs(dx);
-    if (std::abs(next_x - next_y) <= 1e-9 * (1 + std::abs(dx) + std::abs(dy))) {
-      if (!visit(Cell{column + across, row}) || !visit(Cell{column, row + along})) return false;
-      column += across;
-      row += along;
-    } else if (next_x < next_y) {
-      column += across;
-    } else {
-      row += along;
-    }
-    if (!visit(Cell{column, row})) return false;
-  }
-  return true;
-}
+struct Step {
+  std::int32_t dx, dy;
+};
+constexpr std::array<Step, 8> kSteps{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-class Tube {
+/// Places by keys that never fall below the last one taken, nor rise above it by `most` or more.
+class BucketQueue {
  public:
-  Tube(const DrivableGrid& grid, const std::vector<std::vector<RoadVertex>>& lines,
-       double min_clearance)
-      : grid_(grid), min_clearance_(min_clearance) {
-    const GridFrame& frame = grid.frame();
-    Vector2 low(HUGE_VAL, HUGE_VAL), high(-HUGE_VAL, -HUGE_VAL);
-    for_discs(lines, [&](const Vector2& at, double radius) {
-      low = low.cwiseMin(Vector2(at.x() - radius, at.y() - radius));
-      high = high.cwiseMax(Vector2(at.x() + radius, at.y() + radius));
-    });
-    const auto cell = [](double value, std::int32_t count) {
-      return static_cast<std::int32_t>(std::clamp<double>(std::floor(value), 0, count - 1));
-    };
-    left_ = cell(low.x(), frame.width), bottom_ = cell(low.y(), frame.height);
-    width_ = cell(high.x(), frame.width) - left_ + 1;
-    height_ = cell(high.y(), frame.height) - bottom_ + 1;
-    if (size() > kMostCells) return;
-    inside_.assign(size(), false);
-    drivable_.assign(size(), 0);
-    for_discs(lines, [&](const Vector2& at, double radius) { mark(at, radius); });
-    const RoadVertex &first = lines.front().front(), &last = lines.front().back();
-    start_ = Vector2(first.x, first.y), goal_ = Vector2(last.x, last.y);
+  explicit BucketQueue(std::uint32_t most) {
+    std::size_t count = 1;
+    while (count <= most) count *= 2;
+    buckets_.resize(count);
+  }
+  void start(std::uint32_t key) { now_ = key; }
+  void push(std::uint32_t key, std::uint32_t place) {
+    buckets_[key & (buckets_.size() - 1)].push_back(place);
+    ++size_;
+  }
+  bool empty() const { return size_ == 0; }
+  /// One with the least key; of several the last that came.
+  std::uint32_t pop() {
+    while (buckets_[now_ & (buckets_.size() - 1)].empty()) ++now_;
+    auto& bucket = buckets_[now_ & (buckets_.size() - 1)];
+    const std::uint32_t place = bucket.back();
+    bucket.pop_back();
+    --size_;
+    return place;
+  }
+  std::uint32_t key() const { return now_; }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> buckets_;
+  std::uint32_t now_ = 0;
+  std::size_t size_ = 0;
+};
+
+class Shortcut {
+ public:
+  Shortcut(const DrivableGrid& grid, const RoadGround& ground, const CellBox& box,
+           const std::vector<RoadVertex>& line, double min_clearance)
+      : grid_(grid),
+        ground_(ground),
+        box_(box),
+        min_clearance_(min_clearance),
+        drivable_(box.size(), 0),
+        start_(line.front().x, line.front().y),
+        goal_(line.back().x, line.back().y) {
+    // The route is driven by road however narrow it is there.
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const RoadVertex &a = line[i], &b = line[std::min(i + 1, line.size() - 1)];
+      walk_line_in(box_, grid.frame().to_grid(a.x, a.y), grid.frame().to_grid(b.x, b.y),
+                   [&](Cell cell) { drivable_[box_.place(cell)] = grid.free(cell) ? 1 : 2; });
+    }
   }
 
   std::optional<std::vector<Vector2>> way() {
-    if (inside_.empty()) return std::nullopt;
     const auto from = grid_.frame().cell_at(start_.x(), start_.y());
     const auto to = grid_.frame().cell_at(goal_.x(), goal_.y());
-    if (!from || !to || !contains(*from) || !contains(*to)) return std::nullopt;
-    // Start and goal are where they are, however narrow it is there.
-    for (const Cell end : {*from, *to}) {
-      inside_[place(end)] = true;
-      if (grid_.free(end)) drivable_[place(end)] = 1;
-    }
-    if (sees(start_, goal_)) return std::vector<Vector2>{start_, goal_};
+    if (!from || !to || !box_.contains(*from) || !box_.contains(*to)) return std::nullopt;
+    if (!ground_.slow() && cost_of_sight(start_, goal_)) return std::vector<Vector2>{start_, goal_};
     const auto cells = search(*from, *to);
     if (cells.empty()) return std::nullopt;
     std::vector<Vector2> points{start_};
     for (std::size_t i = 1; i + 1 < cells.size(); ++i)
       points.push_back(grid_.frame().centre(cells[i]));
     points.push_back(goal_);
-    return pulled_straight(points);
+    return pulled_straight(std::move(points));
   }
 
  private:
-  /// Discs along all lines, in cells, no farther apart than a cell.
-  template <class Visit>
-  void for_discs(const std::vector<std::vector<RoadVertex>>& lines, const Visit& visit) const {
-    const GridFrame& frame = grid_.frame();
-    for (const auto& line : lines) {
-      for (std::size_t i = 0; i < line.size(); ++i) {
-        const RoadVertex &a = line[i], &b = line[std::min(i + 1, line.size() - 1)];
-        const double steps =
-            std::max(1.0, std::ceil(std::hypot(b.x - a.x, b.y - a.y) / frame.resolution));
-        for (double k = 0; k < steps; ++k) {
-          const double f = k / steps;
-          const double clearance = a.clearance + f * (b.clearance - a.clearance);
-          const double radius = std::isfinite(clearance) ? clearance / frame.resolution : 0;
-          visit(frame.to_grid(a.x + f * (b.x - a.x), a.y + f * (b.y - a.y)), radius + 2);
-        }
-      }
-    }
-  }
-
-  std::size_t size() const {
-    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  }
-  bool contains(Cell cell) const {
-    return cell.column >= left_ && cell.row >= bottom_ && cell.column < left_ + width_ &&
-           cell.row < bottom_ + height_;
-  }
-  std::uint32_t place(Cell cell) const {
-    return static_cast<std::uint32_t>(cell.row - bottom_) * static_cast<std::uint32_t>(width_) +
-           static_cast<std::uint32_t>(cell.column - left_);
-  }
-  Cell cell(std::uint32_t place) const {
-    const auto width = static_cast<std::uint32_t>(width_);
-    return {left_ + static_cast<std::int32_t>(place % width),
-            bottom_ + static_cast<std::int32_t>(place / width)};
-  }
-
-  void mark(const Vector2& at, double radius) {
-    const auto from = [](double value) { return static_cast<std::int32_t>(std::floor(value)); };
-    for (std::int32_t row = from(at.y() - radius); row <= from(at.y() + radius); ++row) {
-      const double dy = row + 0.5 - at.y(), square = radius * radius - dy * dy;
-      if (square < 0) continue;
-      const double half = std::sqrt(square);
-      for (std::int32_t column = from(at.x() - half); column <= from(at.x() + half); ++column)
-        if (contains({column, row})) inside_[place({column, row})] = true;
-    }
-  }
-
   /// Whether a cell is free and far enough from those that are not; asked once a cell.
   bool drivable(Cell cell) {
-    if (!contains(cell)) return false;
-    std::uint8_t& known = drivable_[place(cell)];
+    if (!box_.contains(cell)) return false;
+    std::uint8_t& known = drivable_[box_.place(cell)];
     if (known == 0) {
       const Vector2 centre = grid_.frame().centre(cell);
       known = grid_.free(cell) && (min_clearance_ <= 0 ||
@@ -159,99 +106,171 @@ class Tube {
     return known == 1;
   }
 
-  bool sees(const Vector2& a, const Vector2& b) {
+  /// Metres, as dear as the ground is, of a straight line that may be driven; none if it may not.
+  std::optional<double> cost_of_sight(const Vector2& a, const Vector2& b) {
     const GridFrame& frame = grid_.frame();
-    return walk_line(frame.to_grid(a.x(), a.y()), frame.to_grid(b.x(), b.y()),
-                     [this](Cell cell) { return drivable(cell); });
+    const Vector2 from = frame.to_grid(a.x(), a.y()), to = frame.to_grid(b.x(), b.y());
+    std::optional<Cell> before;
+    double count = 0, sum = 0;
+    const bool clear = walk_line(from, to, [&](Cell cell) {
+      if (!drivable(cell)) return false;
+      if (!ground_.open()) {
+        if (before && !ground_.passable(*before, cell, to - from)) return false;
+        before = cell;
+        sum += ground_.factor(cell), count += 1;
+      }
+      return true;
+    });
+    if (!clear) return std::nullopt;
+    return (b - a).norm() * (count > 0 ? sum / count : 1);
+  }
+
+  std::uint32_t step_cost(const Step& step, Cell to) const {
+    const std::uint32_t cost = step.dx != 0 && step.dy != 0 ? kDiagonal : kStraight;
+    return ground_.slow() ? static_cast<std::uint32_t>(std::ceil(cost * ground_.factor(to))) : cost;
   }
 
   std::vector<Cell> search(Cell from, Cell to) {
-    SearchLabels labels;
-    SearchHeap<WayCost> heap;
-    labels.resize(static_cast<std::uint32_t>(size()));
-    labels.clear();
     const auto bound = [&](Cell cell) {
-      const auto dx = static_cast<WayCost>(std::abs(cell.column - to.column));
-      const auto dy = static_cast<WayCost>(std::abs(cell.row - to.row));
+      const auto dx = static_cast<std::uint32_t>(std::abs(cell.column - to.column));
+      const auto dy = static_cast<std::uint32_t>(std::abs(cell.row - to.row));
       return kStraight * (std::max(dx, dy) - std::min(dx, dy)) + kDiagonal * std::min(dx, dy);
     };
-    const std::uint32_t first = place(from), last = place(to);
-    labels.set(first, 0, first);
-    heap.push(bound(from), first);
-    while (!heap.empty()) {
-      const auto [key, at] = heap.pop();
-      const Cell here = cell(at);
-      const WayCost cost = labels.cost(at);
-      if (key > cost + bound(here)) continue;
+    const auto dearest =
+        static_cast<std::uint32_t>(ground_.slow() ? RoadGround::kMostFactor : 1.0) * kDiagonal;
+    BucketQueue queue(dearest + kDiagonal);
+    std::vector<std::uint32_t> costs(box_.size(), kUnknown);
+    std::vector<std::uint8_t> by(box_.size(), 0);
+    const std::uint32_t first = box_.place(from), last = box_.place(to);
+    costs[first] = 0;
+    queue.start(bound(from));
+    queue.push(bound(from), first);
+    while (!queue.empty()) {
+      const std::uint32_t at = queue.pop();
+      const Cell here = box_.cell(at);
+      const std::uint32_t cost = costs[at];
       if (at == last) break;
-      for (std::int32_t dy = -1; dy <= 1; ++dy) {
-        for (std::int32_t dx = -1; dx <= 1; ++dx) {
-          const Cell next{here.column + dx, here.row + dy};
-          if (!contains(next) || !inside_[place(next)] || !drivable(next)) continue;
-          const bool diagonal = dx != 0 && dy != 0;
-          if (diagonal &&
-              (!drivable({here.column + dx, here.row}) || !drivable({here.column, here.row + dy})))
-            continue;
-          const WayCost further = cost + (diagonal ? kDiagonal : kStraight);
-          if (further >= labels.cost(place(next))) continue;
-          labels.set(place(next), further, at);
-          heap.push(further + bound(next), place(next));
-        }
+      if (queue.key() > cost + bound(here)) continue;
+      // Beyond this whole numbers of 32 bits would not do.
+      if (cost > kUnknown - 3 * dearest - bound(here)) continue;
+      for (std::uint8_t i = 0; i < kSteps.size(); ++i) {
+        const Step& step = kSteps[i];
+        const Cell next{here.column + step.dx, here.row + step.dy};
+        if (!drivable(next)) continue;
+        const std::uint32_t place = box_.place(next), further = cost + step_cost(step, next);
+        if (further >= costs[place]) continue;
+        if (step.dx != 0 && step.dy != 0 &&
+            (!drivable({next.column, here.row}) || !drivable({here.column, next.row})))
+          continue;
+        if (!ground_.passable(here, next, Vector2(step.dx, step.dy))) continue;
+        costs[place] = further;
+        by[place] = i;
+        queue.push(further + bound(next), place);
       }
     }
     std::vector<Cell> cells;
-    if (!labels.known(last)) return cells;
-    for (std::uint32_t at = last; at != first; at = labels.arc(at)) cells.push_back(cell(at));
+    if (costs[last] == kUnknown) return cells;
+    for (Cell at = to; !(at == from);) {
+      cells.push_back(at);
+      const Step& step = kSteps[by[box_.place(at)]];
+      at = {at.column - step.dx, at.row - step.dy};
+    }
     cells.push_back(from);
     std::reverse(cells.begin(), cells.end());
     return cells;
   }
 
-  /// Goes to the farthest point it sees of those ahead, then leaves out points as long as lines of
-  /// sight allow.
-  std::vector<Vector2> pulled_straight(const std::vector<Vector2>& points) {
+  /// Whether a line from one point of a chain to a later one may take the place of what is between.
+  bool straight(const std::vector<Vector2>& points, const std::vector<double>& until,
+                std::size_t from, std::size_t to) {
+    const auto cost = cost_of_sight(points[from], points[to]);
+    return cost && *cost <= until[to] - until[from] + 1e-9 * until.back();
+  }
+
+  /// From point to point, each time to one as far ahead as is seen.
+  std::vector<Vector2> pulled(const std::vector<Vector2>& points) {
+    std::vector<double> until{0};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      // A piece of a chain may be driven already, so it is seen.
+      const auto cost = ground_.slow() ? cost_of_sight(points[i - 1], points[i])
+                                       : std::optional((points[i] - points[i - 1]).norm());
+      until.push_back(until.back() + cost.value_or((points[i] - points[i - 1]).norm()));
+    }
     std::vector<Vector2> kept{points.front()};
     for (std::size_t i = 0; i + 1 < points.size();) {
-      std::size_t next = i + 1;
-      while (next + 1 < points.size() && sees(points[i], points[next + 1])) ++next;
-      kept.push_back(points[next]);
-      i = next;
-    }
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t i = 1; i + 1 < kept.size();) {
-        if (sees(kept[i - 1], kept[i + 1])) {
-          kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
-          changed = true;
-        } else {
-          ++i;
-        }
-      }
+      // Twice as far while it sees, then half as far until it is one point.
+      std::size_t reached = i + 1, stride = 1;
+      while (reached + stride < points.size() && straight(points, until, i, reached + stride))
+        reached += stride, stride *= 2;
+      for (; stride > 0; stride /= 2)
+        if (reached + stride < points.size() && straight(points, until, i, reached + stride))
+          reached += stride;
+      kept.push_back(points[reached]);
+      i = reached;
     }
     return kept;
   }
 
+  /// Points of the same lines, about `apart` metres from each other.
+  static std::vector<Vector2> divided(const std::vector<Vector2>& points, double apart) {
+    std::vector<Vector2> all{points.front()};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vector2 way = points[i] - points[i - 1];
+      const auto count = std::max(1.0, std::ceil(way.norm() / apart));
+      for (double k = 1; k < count; ++k) all.push_back(points[i - 1] + (k / count) * way);
+      all.push_back(points[i]);
+    }
+    return all;
+  }
+
+  std::vector<Vector2> pulled_straight(std::vector<Vector2> points) {
+    constexpr int kRounds = 4;
+    points = pulled(points);
+    for (int round = 0; round < kRounds && points.size() > 2; ++round)
+      points = pulled(divided(points, grid_.frame().resolution));
+    return points;
+  }
+
   const DrivableGrid& grid_;
+  const RoadGround& ground_;
+  const CellBox box_;
   double min_clearance_;
-  std::int32_t left_ = 0, bottom_ = 0, width_ = 0, height_ = 0;
-  std::vector<bool> inside_;
   std::vector<std::uint8_t> drivable_;  // 0 not asked yet, 1 yes, 2 no
-  Vector2 start_ = Vector2::Zero(), goal_ = Vector2::Zero();
+  Vector2 start_, goal_;
 };
 
 }  // namespace
 
-std::optional<std::vector<Vector2>> shortcut_along(
-    const DrivableGrid& grid, const std::vector<std::vector<RoadVertex>>& lines,
-    double min_clearance) {
-  if (lines.empty() || lines.front().empty()) return std::nullopt;
-  return Tube(grid, lines, min_clearance).way();
+CellBox cells_within_reach(const GridFrame& frame, const std::vector<RoadVertex>& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+  // An ellipse, the line's ends in its foci. Over cells ways are up to 8 % longer.
+  constexpr double kOverCells = 1.0824;
+  const Vector2 a = frame.to_grid(line.front().x, line.front().y);
+  const Vector2 b = frame.to_grid(line.back().x, line.back().y);
+  const double half = kOverCells * length / frame.resolution / 2;
+  const Vector2 middle = (a + b) / 2, focus = (b - a) / 2;
+  const double minor = std::max(0.0, half * half - focus.squaredNorm());
+  constexpr double kBeside = 2;  // cells
+  const Vector2 reach(std::sqrt(focus.x() * focus.x() + minor) + kBeside,
+                      std::sqrt(focus.y() * focus.y() + minor) + kBeside);
+  const auto cell = [](double value, std::int32_t count) {
+    return static_cast<std::int32_t>(std::clamp<double>(std::floor(value), 0, count - 1));
+  };
+  const Vector2 low = middle - reach, high = middle + reach;
+  CellBox box{cell(low.x(), frame.width), cell(low.y(), frame.height), 0, 0};
+  box.width = cell(high.x(), frame.width) - box.left + 1;
+  box.height = cell(high.y(), frame.height) - box.bottom + 1;
+  return box;
 }
 
-bool line_clear(const DrivableGrid& grid, const Vector2& a, const Vector2& b) {
-  const GridFrame& frame = grid.frame();
-  return walk_line(frame.to_grid(a.x(), a.y()), frame.to_grid(b.x(), b.y()),
-                   [&](Cell cell) { return grid.free(cell); });
+std::optional<std::vector<Vector2>> shortcut(const DrivableGrid& grid, const RoadGround& ground,
+                                             const CellBox& box,
+                                             const std::vector<RoadVertex>& line,
+                                             double min_clearance) {
+  if (line.empty() || box.size() > kMostShortcutCells) return std::nullopt;
+  return Shortcut(grid, ground, box, line, min_clearance).way();
 }
 
 }  // namespace stope::planner

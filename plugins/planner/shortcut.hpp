@@ -3,22 +3,26 @@
 #include <optional>
 #include <vector>
 
+#include "plugins/planner/cell_box.hpp"
 #include "plugins/planner/drivable_grid.hpp"
+#include "plugins/planner/road_ground.hpp"
 #include "stope/payloads/road_graph.hpp"
 
 namespace stope::planner {
 
-/// A way from the first to the last point of `lines`, which all begin and end alike, through the
-/// free ground around them: no farther from a line's vertex than its clearance, pulled straight,
-/// not past corners, and where the ends allow it through cells whose distance to the next that is
-/// not free is at least `min_clearance`. None if the cells around the lines do not hang together,
-/// or are too many (64 million).
-std::optional<std::vector<Vector2>> shortcut_along(
-    const DrivableGrid& grid, const std::vector<std::vector<RoadVertex>>& lines,
-    double min_clearance);
+/// The cells that a way no longer than `line` between the line's ends can touch.
+CellBox cells_within_reach(const GridFrame& frame, const std::vector<RoadVertex>& line);
+/// More cells are not searched.
+constexpr std::size_t kMostShortcutCells = 64'000'000;
 
-/// Whether a straight line touches free cells only; where it runs through a corner of cells, all
-/// that meet there count.
-bool line_clear(const DrivableGrid& grid, const Vector2& a, const Vector2& b);
+/// The shortest way over cells (eight neighbours, corners are not cut) from the first to the last
+/// point of `line` through free ground in `box`, pulled straight where lines of sight allow. Its
+/// cells' centres are at least `min_clearance` from those of the next that are not free, but for
+/// the cells that `line` itself runs through; where `ground` says that metres cost more, the
+/// cheapest such way. None if the free cells do not join the ends.
+std::optional<std::vector<Vector2>> shortcut(const DrivableGrid& grid, const RoadGround& ground,
+                                             const CellBox& box,
+                                             const std::vector<RoadVertex>& line,
+                                             double min_clearance);
 
 }  // namespace stope::planner

@@ -3,17 +3,18 @@
 #include <vector>
 
 #include "plugins/planner/drivable_grid.hpp"
-#include "plugins/planner/plan_ends.hpp"
+#include "plugins/planner/plan_request.hpp"
 #include "plugins/planner/road_changes.hpp"
-#include "plugins/planner/road_router.hpp"
+#include "plugins/planner/road_network.hpp"
 
 namespace stope::planner {
 
-/// The route, or another that is nearly as cheap, pulled straight through free ground. Heights come
-/// from the route's `line` beside it; that is returned where no shorter way is found.
-std::vector<RoadVertex> shortened_route(const Route& route, std::vector<RoadVertex> line,
-                                        RoadRouter& router, const RoadNetwork& network,
-                                        const DrivableGrid& grid, const PlanEnds& ends,
-                                        const RoadChanges& changes);
+/// The way from the first to the last place of a route's `line` that leaves the roads' middles
+/// wherever free ground allows a shorter one; road_ground.hpp says which ground it may use. Heights
+/// come from the line beside it. The line itself where there is no shorter way, or where the ground
+/// is too large to be searched, which is said.
+std::vector<RoadVertex> shortened_route(std::vector<RoadVertex> line, const RoadNetwork& network,
+                                        const DrivableGrid& grid, const RoadChanges& changes,
+                                        const Say& say);
 
 }  // namespace stope::planner
