@@ -57,6 +57,7 @@ Json stage_json(const ReportData& data, const PlannedStage& stage) {
         {"stream", i < stage.streams.size() && static_cast<bool>(stage.streams[i])}};
   Json json{{"name", stage.name}, {"use", stage.info.id}};
   if (stage.is_export) json["export"] = true;
+  if (!stage.info.deterministic) json["deterministic"] = false;
   json["inputs"] = inputs;
   json["outputs"] = outputs;
   json["parameters"] = parameters;

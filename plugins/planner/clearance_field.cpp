@@ -1,13 +1,14 @@
-// Problem: a planner asks thousands of times how far the nearest obstacle is, and which way.
-// Idea: the exact signed distance transform (Felzenszwalb and Huttenlocher 2012) of the part of the
-// grid around the route, on cells of about half a metre whatever the grid's own; what a cell hides
-// is bounded by half its diagonal.
-// Cost: O(cells of the part), 4 bytes each, and twice a row of them in between.
+// Problem: a planner asks thousands of times how far the nearest obstacle is, and which way; a
+// route of a kilometre runs through a box of which it needs a strip. Idea: exact distances, up to
+// some metres, on cells of about half a metre whatever the grid's own, in tiles near the route
+// only: down and up the columns to the nearest obstacle of each, then along each row the least over
+// what can be nearer (Saito and Toriwaki 1994). Short loops over small whole numbers, which
+// compilers turn into vectors. What a cell hides is bounded by half its diagonal. Cost: O(cells of
+// the tiles times the reach), some nanoseconds a cell.
 #include "plugins/planner/clearance_field.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 namespace stope::planner {
@@ -15,67 +16,102 @@ namespace {
 
 constexpr double kTarget = 0.5;     // metres a cell
 constexpr double kMostCells = 4e7;  // coarser beyond
-constexpr float kFar = 1e6F;        // cells
+constexpr std::int32_t kMostReach = 120;
 
-/// Squared distances along one row or column: the lower envelope of parabolas.
-class LineTransform {
+/// Squared distances, in cells, from each cell of a band's middle rows to the nearest set cell of
+/// the band, at most (reach + 1)^2. `set` holds `rows` rows of `columns`, of which the first and
+/// last `reach` rows and columns are only looked at.
+class BandDistances {
  public:
-  explicit LineTransform(std::size_t length) : place_(length), from_(length + 1), value_(length) {}
-  template <class Get, class Set>
-  void run(std::size_t length, const Get& get, const Set& set) {
-    for (std::size_t i = 0; i < length; ++i) value_[i] = get(i);
-    std::size_t top = 0;
-    place_[0] = 0;
-    from_[0] = -1e30, from_[1] = 1e30;
-    for (std::size_t q = 1; q < length; ++q) {
-      double cross = crossing(q, place_[top]);
-      while (cross <= from_[top]) cross = crossing(q, place_[--top]);
-      place_[++top] = q;
-      from_[top] = cross, from_[top + 1] = 1e30;
+  BandDistances(const std::vector<std::uint8_t>& set, std::int32_t columns, std::int32_t rows,
+                std::int32_t reach)
+      : width_(static_cast<std::size_t>(columns)),
+        reach_(static_cast<std::size_t>(reach)),
+        inner_(width_ - 2 * reach_),
+        down_(set.size()),
+        squares_(width_),
+        least_(inner_) {
+    const auto far = static_cast<std::uint8_t>(reach + 1);
+    const auto height = static_cast<std::size_t>(rows);
+    for (std::size_t row = 0; row < height; ++row) {
+      std::uint8_t* here = &down_[row * width_];
+      const std::uint8_t* is_set = &set[row * width_];
+      for (std::size_t i = 0; i < width_; ++i) here[i] = is_set[i] != 0 ? 0 : far;
+      if (row > 0) nearer(here, here - width_, far);
     }
-    top = 0;
-    for (std::size_t q = 0; q < length; ++q) {
-      while (from_[top + 1] < static_cast<double>(q)) ++top;
-      const double d = static_cast<double>(q) - static_cast<double>(place_[top]);
-      set(q, d * d + value_[place_[top]]);
+    for (std::size_t row = height - 1; row-- > 0;)
+      nearer(&down_[row * width_], &down_[(row + 1) * width_], far);
+  }
+
+  /// Of a row of the band, counted with those only looked at.
+  const std::vector<std::int16_t>& row(std::int32_t row) {
+    const std::uint8_t* down = &down_[static_cast<std::size_t>(row) * width_];
+    for (std::size_t i = 0; i < width_; ++i)
+      squares_[i] = static_cast<std::int16_t>(down[i] * down[i]);
+    std::copy_n(squares_.begin() + static_cast<std::ptrdiff_t>(reach_), inner_, least_.begin());
+    for (std::size_t d = 1; d <= reach_; ++d) {
+      const auto square = static_cast<std::int16_t>(d * d);
+      const std::int16_t *left = &squares_[reach_ - d], *right = &squares_[reach_ + d];
+      std::int16_t* least = least_.data();
+      for (std::size_t i = 0; i < inner_; ++i) {
+        const std::int16_t nearest = std::min(left[i], right[i]);
+        least[i] = std::min(least[i], static_cast<std::int16_t>(nearest + square));
+      }
     }
+    return least_;
   }
 
  private:
-  double crossing(std::size_t q, std::size_t p) const {
-    const auto a = static_cast<double>(q), b = static_cast<double>(p);
-    return ((value_[q] + a * a) - (value_[p] + b * b)) / (2 * a - 2 * b);
+  void nearer(std::uint8_t* here, const std::uint8_t* beside, std::uint8_t far) const {
+    for (std::size_t i = 0; i < width_; ++i) {
+      const auto next = static_cast<std::uint8_t>(beside[i] + 1);
+      here[i] = std::min(here[i], std::min(next, far));
+    }
   }
-  std::vector<std::size_t> place_;
-  std::vector<double> from_, value_;
+
+  std::size_t width_, reach_, inner_;
+  std::vector<std::uint8_t> down_;
+  std::vector<std::int16_t> squares_, least_;
 };
 
-/// Distance of each cell's centre to that of the nearest cell of a kind, in cells.
-std::vector<float> distance_to(const std::vector<std::uint8_t>& kinds, std::uint8_t kind,
-                               std::size_t width, std::size_t height) {
-  std::vector<float> squared(kinds.size());
-  constexpr double kNone = 1e12;
-  LineTransform along(std::max(width, height));
-  for (std::size_t column = 0; column < width; ++column) {
-    along.run(
-        height, [&](std::size_t row) { return kinds[row * width + column] == kind ? 0.0 : kNone; },
-        [&](std::size_t row, double value) {
-          squared[row * width + column] = static_cast<float>(value);
-        });
+MapBox box_of(const std::vector<Vector2>& line) {
+  MapBox box{line[0].x(), line[0].y(), line[0].x(), line[0].y()};
+  for (const Vector2& point : line) {
+    box.left = std::min(box.left, point.x()), box.right = std::max(box.right, point.x());
+    box.bottom = std::min(box.bottom, point.y()), box.top = std::max(box.top, point.y());
   }
-  for (std::size_t row = 0; row < height; ++row) {
-    along.run(
-        width, [&](std::size_t column) { return squared[row * width + column]; },
-        [&](std::size_t column, double value) {
-          squared[row * width + column] = std::min(static_cast<float>(std::sqrt(value)), kFar);
-        });
-  }
-  return squared;
+  return box;
 }
 
 }  // namespace
 
-ClearanceField::ClearanceField(const OccupancyGrid& grid, const MapBox& box, double reach) {
+ClearanceField::ClearanceField(const OccupancyGrid& grid, const MapBox& box, double reach,
+                               double most) {
+  lay_out(grid, box, reach);
+  std::fill(tiles_.begin(), tiles_.end(), 1);
+  fill(grid, most);
+}
+
+ClearanceField::ClearanceField(const OccupancyGrid& grid, const std::vector<Vector2>& line,
+                               double reach, double most) {
+  lay_out(grid, box_of(line), reach);
+  const double around = reach / cell_;
+  for (const Vector2& point : line) {
+    const Vector2 at = to_field(point.x(), point.y());
+    const auto tile = [](double value, std::int32_t count) {
+      return static_cast<std::int32_t>(std::clamp(std::floor(value / kTile), 0.0, count - 1.0));
+    };
+    for (std::int32_t row = tile(at.y() - around, tile_rows_);
+         row <= tile(at.y() + around, tile_rows_); ++row) {
+      for (std::int32_t column = tile(at.x() - around, tile_columns_);
+           column <= tile(at.x() + around, tile_columns_); ++column)
+        tiles_[static_cast<std::size_t>(row * tile_columns_ + column)] = 1;
+    }
+  }
+  fill(grid, most);
+}
+
+void ClearanceField::lay_out(const OccupancyGrid& grid, const MapBox& box, double reach) {
   const GridFrame& frame = grid.frame;
   cos_ = std::cos(frame.origin.yaw), sin_ = std::sin(frame.origin.yaw);
   double left = 1e300, bottom = 1e300, right = -1e300, top = -1e300;
@@ -92,35 +128,81 @@ ClearanceField::ClearanceField(const OccupancyGrid& grid, const MapBox& box, dou
   const auto high = [&](double value, std::int32_t most) {
     return static_cast<std::int32_t>(std::clamp(std::ceil(value + around), 0.0, double(most)));
   };
-  const std::int32_t first_column = low(left, frame.width), first_row = low(bottom, frame.height);
-  const std::int32_t columns = std::max(0, high(right, frame.width) - first_column);
-  const std::int32_t rows = std::max(0, high(top, frame.height) - first_row);
-
-  std::int32_t factor = std::max(1, static_cast<std::int32_t>(kTarget / frame.resolution + 1e-6));
-  while (double(columns) * rows / (double(factor) * factor) > kMostCells) ++factor;
-  cell_ = factor * frame.resolution;
+  first_column_ = low(left, frame.width), first_row_ = low(bottom, frame.height);
+  columns_ = std::max(0, high(right, frame.width) - first_column_);
+  rows_ = std::max(0, high(top, frame.height) - first_row_);
+  factor_ = std::max(1, static_cast<std::int32_t>(kTarget / frame.resolution + 1e-6));
+  while (double(columns_) * rows_ / (double(factor_) * factor_) > kMostCells) ++factor_;
+  cell_ = factor_ * frame.resolution;
   // One ring of obstacle around: nothing is planned beyond the part.
-  width_ = (columns + factor - 1) / factor + 2, height_ = (rows + factor - 1) / factor + 2;
-  origin_ = frame.to_map(first_column - factor, first_row - factor);
+  width_ = (columns_ + factor_ - 1) / factor_ + 2, height_ = (rows_ + factor_ - 1) / factor_ + 2;
+  origin_ = frame.to_map(first_column_ - factor_, first_row_ - factor_);
+  tile_columns_ = (width_ + kTile - 1) / kTile, tile_rows_ = (height_ + kTile - 1) / kTile;
+  tiles_.assign(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows_), 0);
+}
 
-  const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
-  std::vector<std::uint8_t> blocked(width * height, 1);
-  for (std::size_t row = 1; row + 1 < height; ++row)
-    std::fill_n(blocked.begin() + static_cast<std::ptrdiff_t>(row * width + 1), width - 2, 0);
-  for (std::int32_t row = 0; row < rows; ++row) {
-    const std::size_t field_row = static_cast<std::size_t>(row / factor) + 1;
-    const std::uint8_t* cells = &grid.cells[frame.place({first_column, first_row + row})];
-    for (std::int32_t column = 0; column < columns; ++column) {
-      if (cells[column] >= 127)
-        blocked[field_row * width + static_cast<std::size_t>(column / factor) + 1] = 1;
+void ClearanceField::fill(const OccupancyGrid& grid, double most) {
+  far_ = most;
+  reach_ = std::clamp(static_cast<std::int32_t>(std::ceil(most / cell_)) + 1, 2, kMostReach);
+  distances_ = std::make_unique_for_overwrite<float[]>(place(0, height_));
+  for (std::int32_t row = 0; row < tile_rows_; ++row) {
+    const auto* tiles = &tiles_[static_cast<std::size_t>(row * tile_columns_)];
+    for (std::int32_t first = 0; first < tile_columns_; ++first) {
+      if (tiles[first] == 0) continue;
+      std::int32_t end = first + 1;
+      while (end < tile_columns_ && tiles[end] != 0) ++end;
+      fill_tiles(grid, row, first, end - first);
+      first = end;
     }
   }
-  distances_ = distance_to(blocked, 1, width, height);
-  const std::vector<float> inside = distance_to(blocked, 0, width, height);
-  for (std::size_t i = 0; i < distances_.size(); ++i) {
-    // The border between two cells lies half a cell before either's centre.
-    distances_[i] =
-        static_cast<float>(cell_) * (blocked[i] ? -(inside[i] - 0.5F) : distances_[i] - 0.5F);
+}
+
+void ClearanceField::fill_tiles(const OccupancyGrid& grid, std::int32_t tile_row,
+                                std::int32_t first, std::int32_t count) {
+  const std::int32_t left = first * kTile, bottom = tile_row * kTile;
+  const std::int32_t right = std::min(width_, left + count * kTile);
+  const std::int32_t top = std::min(height_, bottom + kTile);
+  const std::int32_t columns = right - left + 2 * reach_, rows = top - bottom + 2 * reach_;
+  std::vector<std::uint8_t> blocked(
+      static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1);
+  for (std::int32_t row = 0; row < rows; ++row) {
+    std::uint8_t* cells =
+        &blocked[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns)];
+    // A row and a span of columns of the grid's part; the field's first ones are its ring.
+    const std::int32_t from_row = (bottom + row - reach_ - 1) * factor_;
+    if (from_row < 0 || from_row >= rows_) continue;
+    const std::int32_t begin = std::max(0, reach_ + 1 - left);
+    const std::int32_t end = std::min(columns, width_ - 1 - left + reach_);
+    for (std::int32_t column = begin; column < end; ++column) {
+      const std::int32_t from_column = (left + column - reach_ - 1) * factor_;
+      std::uint8_t most = 0;
+      for (std::int32_t y = from_row; y < std::min(rows_, from_row + factor_); ++y) {
+        const std::uint8_t* line = &grid.cells[grid.frame.place({first_column_, first_row_ + y})];
+        for (std::int32_t x = from_column; x < std::min(columns_, from_column + factor_); ++x)
+          most = std::max(most, line[x]);
+      }
+      cells[column] = most >= 127 ? 1 : 0;
+    }
+  }
+  std::vector<std::uint8_t> free(blocked.size());
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    free[i] = blocked[i] ^ 1;
+  }
+  BandDistances to_blocked(blocked, columns, rows, reach_);
+  BandDistances to_free(free, columns, rows, reach_);
+  // The border between two cells lies half a cell before either's centre.
+  std::vector<float> metres(static_cast<std::size_t>((reach_ + 1) * (reach_ + 1)) + 1);
+  for (std::size_t i = 0; i < metres.size(); ++i)
+    metres[i] = static_cast<float>(cell_ * (std::sqrt(static_cast<double>(i)) - 0.5));
+  for (std::int32_t row = bottom; row < top; ++row) {
+    const auto& outside = to_blocked.row(row - bottom + reach_);
+    const auto& inside = to_free.row(row - bottom + reach_);
+    float* distances = &distances_[place(left, row)];
+    for (std::int32_t i = 0; i < right - left; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      distances[i] = outside[at] > 0 ? metres[static_cast<std::size_t>(outside[at])]
+                                     : -metres[static_cast<std::size_t>(inside[at])];
+    }
   }
 }
 
@@ -129,9 +211,12 @@ ClearanceField::Value ClearanceField::at(double x, double y) const {
   const double u = std::clamp(at.x() - 0.5, 0.0, width_ - 1.001);
   const double v = std::clamp(at.y() - 0.5, 0.0, height_ - 1.001);
   const auto column = static_cast<std::int32_t>(u), row = static_cast<std::int32_t>(v);
+  if (!known(column, row) || !known(column + 1, row) || !known(column, row + 1) ||
+      !known(column + 1, row + 1))
+    return {far_, Vector2::Zero()};
   const double a = u - column, b = v - row;
-  const double d00 = distance(column, row), d10 = distance(column + 1, row);
-  const double d01 = distance(column, row + 1), d11 = distance(column + 1, row + 1);
+  const double d00 = stored(column, row), d10 = stored(column + 1, row);
+  const double d01 = stored(column, row + 1), d11 = stored(column + 1, row + 1);
   const double low = d00 + a * (d10 - d00), high = d01 + a * (d11 - d01);
   const double du = ((1 - b) * (d10 - d00) + b * (d11 - d01)) / cell_;
   const double dv = (high - low) / cell_;

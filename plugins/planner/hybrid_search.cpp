@@ -5,8 +5,6 @@
 // exactly. Such an arrival waits in the queue by its cost like any other, so the first to come out
 // is the best found.
 // Cost: O(n log n) in the poses looked at, each with 5 (10 with reverse) swept outlines.
-#include "plugins/planner/hybrid_search.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,6 +14,7 @@
 #include <unordered_map>
 
 #include "plugins/planner/free_ground_distance.hpp"
+#include "plugins/planner/hybrid_search.hpp"
 #include "plugins/planner/reeds_shepp_words.hpp"
 
 namespace stope::planner {
@@ -26,7 +25,9 @@ constexpr int kHeadings = 72;
 constexpr std::size_t kMostWords = 6;  // tried from one pose
 // Costs in metres of straight driving.
 constexpr double kReverseFactor = 2, kCusp = 25, kBend = 0.15, kSteer = 0.3, kTight = 1;
-constexpr double kComfort = 2;  // metres of clearance beyond which walls do not matter
+constexpr std::size_t kEveryTurn = 8;  // poses from one turn to the walls to the next
+constexpr double kFromWall = 0.1;      // metres
+constexpr double kComfort = 2;         // metres of clearance beyond which walls do not matter
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 struct Reached {
@@ -35,6 +36,8 @@ struct Reached {
   double cost = 0;
   std::uint32_t previous = kNone;
   std::uint32_t arrival = kNone;  // of Search::arrivals_
+  double left = 0;                // cost to a goal, at least
+  bool steered = false;           // whether that is with the turning circle
 };
 
 struct Entry {
@@ -70,11 +73,24 @@ class Search {
         return result;
       }
       if (best_[key(here.pose, here.by)] != top.at) continue;
+      if (!here.steered) {
+        // Words are dear, so they are spelled only for poses whose turn has come.
+        Reached& weighed = reached_[top.at];
+        weighed.steered = true;
+        weighed.left = std::max(here.left, steered_estimate(here));
+        if (weighed.left > here.left) {
+          queue_.push({weighed.cost + weighed.left, top.at});
+          continue;
+        }
+      }
       if (++result.poses % 256 == 0) checkpoint();
       const double left = distance_.at(here.pose.x, here.pose.y);
       if (left < nearest) nearest = left, result.nearest = here.pose;
-      if (worth_trying(left, result.poses)) try_arrival(top.at, left);
+      const bool against_wall = std::abs(here.by.length) > kStep;
+      if (against_wall || worth_trying(left, result.poses)) try_arrival(top.at, left);
       expand(top.at);
+      if (rules_.allow_reverse && (against_wall || result.poses % kEveryTurn == 1))
+        turn_to_walls(top.at);
     }
     return result;
   }
@@ -91,9 +107,17 @@ class Search {
     return ((bin(at.x()) << 21 | bin(at.y())) << 8 | heading) << 1 | (by.length < 0 ? 1 : 0);
   }
 
-  void add(const Reached& reached) {
-    const double left = reached.arrival != kNone ? 0 : estimate(reached);
-    if (!std::isfinite(left)) return;
+  void add(Reached reached) {
+    if (reached.arrival == kNone) {
+      const double around = distance_.at(reached.pose.x, reached.pose.y);
+      if (!std::isfinite(around)) return;
+      reached.left = around;
+      if (reached.previous != kNone) {
+        // What its predecessor lacks, less what it cost to come here.
+        const Reached& before = reached_[reached.previous];
+        reached.left = std::max(around, before.left - (reached.cost - before.cost));
+      }
+    }
     const auto at = static_cast<std::uint32_t>(reached_.size());
     if (reached.arrival == kNone) {
       const auto [known, is_new] = best_.try_emplace(key(reached.pose, reached.by), at);
@@ -103,12 +127,11 @@ class Search {
       }
     }
     reached_.push_back(reached);
-    queue_.push({reached.cost + left, at});
+    queue_.push({reached.cost + reached.left, at});
   }
 
-  /// What is left to drive, in cost: round obstacles as if the truck could turn on the spot, or
-  /// with its turning circle as if there were none.
-  double estimate(const Reached& reached) const {
+  /// What is left to drive, in cost, with the turning circle as if there were no obstacles.
+  double steered_estimate(const Reached& reached) const {
     double steered = std::numeric_limits<double>::infinity();
     // Of many goals a few stand for the others: a guess that is a little too long does no harm.
     const std::size_t stride = std::max<std::size_t>(1, goals_.size() / 3);
@@ -116,8 +139,7 @@ class Search {
       for (const SteeringWord& word : words_to(reached.pose, goals_[i]))
         steered = std::min(steered, cost_of(word, reached.by.length < 0));
     }
-    const double around = distance_.at(reached.pose.x, reached.pose.y);
-    return std::isfinite(steered) ? std::max(around, steered) : around;
+    return std::isfinite(steered) ? steered : 0;
   }
 
   std::vector<SteeringWord> words_to(const Pose2& from, const Pose2& goal) const {
@@ -150,6 +172,25 @@ class Search {
         if (known != best_.end() && reached_[known->second].cost <= cost) continue;
         if (!ground_.drivable({here.pose, {piece}})) continue;
         add({end, piece, cost, at, kNone});
+      }
+    }
+  }
+
+  /// Full lock as far as there is room, both ways and both sides: turning round between walls is
+  /// made of such arcs, of which steps would find the ends late.
+  void turn_to_walls(std::uint32_t at) {
+    const Reached here = reached_[at];
+    for (const double direction : {1.0, -1.0}) {
+      for (const double share : {1.0, -1.0}) {
+        const double curvature = share / rules_.turning_radius;
+        CurvePiece piece{direction * std::numbers::pi * rules_.turning_radius, curvature,
+                         curvature};
+        const auto obstruction = ground_.first_obstruction({here.pose, {piece}});
+        if (!obstruction) continue;  // no walls to turn between
+        piece.length = direction * (obstruction->along - kFromWall);
+        if (std::abs(piece.length) <= kStep || !ground_.drivable({here.pose, {piece}})) continue;
+        const Pose2 end = advance(here.pose, piece);
+        add({end, piece, here.cost + cost_of(piece, here.by, end), at, kNone});
       }
     }
   }
@@ -218,7 +259,7 @@ class Search {
   const Drivability& ground_;
   const ClearanceField& field_;
   const HybridRules& rules_;
-  const FreeGroundDistance distance_;
+  FreeGroundDistance distance_;
   std::vector<Reached> reached_;
   std::vector<DriveCurve> arrivals_;
   double best_arrival_ = std::numeric_limits<double>::infinity();

@@ -54,7 +54,7 @@ class OmplBitStar final
         along.start = {first.x, first.y};
         along.goal = {last.x, last.y};
         along.changes = {};
-        along.avoid_obstructed = false;
+        along.avoid_obstructed = along.shortcut = false;
         Path other = RoadPlanner(only, request.rules).plan(nullptr, along, say);
         if (cost_of(other) < cost_of(path)) {
           other.edges.clear();

@@ -14,7 +14,7 @@ std::string text_of_place_on(const RouteLine& line, const Pose2& pose) {
 }
 
 std::string refusal(const RouteLine& line, const Obstruction& obstruction, const Vehicle& vehicle,
-                    double needs_radius) {
+                    const Remedies& remedies) {
   const std::string where = text_of_place_on(line, obstruction.pose);
   switch (obstruction.kind) {
     case Obstruction::Kind::kGrade:
@@ -35,16 +35,27 @@ std::string refusal(const RouteLine& line, const Obstruction& obstruction, const
   const std::string touches =
       fmt::format("the footprint would touch an obstacle at {}",
                   text_of_place(obstruction.obstacle.x(), obstruction.obstacle.y()));
-  if (needs_radius > 0) {
-    return fmt::format(
-        "{}, the turn needs a radius of {:.1f} m but the truck needs {:.1f} m; with that {}: allow "
-        "reversing, or choose a route with wider bends",
-        where, needs_radius, vehicle.turning_radius, touches);
+  std::string why;
+  if (remedies.radius > 0) {
+    why = fmt::format(
+        "the turn needs a radius of {:.1f} m but the truck needs {:.1f} m{}; with that {}",
+        remedies.radius, vehicle.turning_radius,
+        remedies.may_reverse ? ", and reversing does not help" : "", touches);
+  } else {
+    why = fmt::format(
+        "{}: the truck is {:.1f} m wide and {:.1f} m long and keeps a margin of {:.2f} m, for "
+        "which "
+        "no way past was found {}",
+        touches, vehicle.width, vehicle.length, vehicle.margin,
+        remedies.may_reverse ? "with any turning radius, nor by reversing"
+        : remedies.reversing ? "forwards with any turning radius"
+                             : "with any turning radius");
   }
-  return fmt::format(
-      "{}, {}: the truck is {:.1f} m wide and {:.1f} m long and keeps a margin of {:.2f} m, for "
-      "which no way past was found with any turning radius",
-      where, touches, vehicle.width, vehicle.length, vehicle.margin);
+  if (remedies.reversing)
+    return fmt::format("{}, {}: allow reversing (allow_reverse: true), with which a way was found",
+                       where, why);
+  return fmt::format("{}, {}{}", where, why,
+                     remedies.radius > 0 ? ": choose a route with wider bends" : "");
 }
 
 }  // namespace stope::planner

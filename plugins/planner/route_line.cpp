@@ -66,15 +66,17 @@ double RouteLine::heading(double along, double ahead) const {
 }
 
 double RouteLine::nearest(const Vector2& point, double from, double to) const {
-  double best = from, least = (at(from) - point).norm();
+  const Vector2 first = at(from);
+  double best = from, least = (first - point).squaredNorm();
   const std::size_t last = segment(to);
   for (std::size_t i = segment(from); i <= last; ++i) {
-    const Vector2 step = points_[i] - points_[i - 1];
-    const double share =
-        std::clamp(step.dot(point - points_[i - 1]) / step.squaredNorm(), 0.0, 1.0);
-    const double along = std::clamp(along_[i - 1] + share * (along_[i] - along_[i - 1]), from, to);
-    const double distance = (at(along) - point).norm();
-    if (distance < least) least = distance, best = along;
+    const Vector2 step = points_[i] - points_[i - 1], off = point - points_[i - 1];
+    const double length = along_[i] - along_[i - 1];
+    const double low = std::max(0.0, (from - along_[i - 1]) / length);
+    const double high = std::min(1.0, (to - along_[i - 1]) / length);
+    const double share = std::clamp(step.dot(off) / (length * length), low, high);
+    const double distance = (off - share * step).squaredNorm();
+    if (distance < least) least = distance, best = along_[i - 1] + share * length;
   }
   return best;
 }
@@ -86,6 +88,13 @@ MapBox RouteLine::box() const {
     box.bottom = std::min(box.bottom, point.y()), box.top = std::max(box.top, point.y());
   }
   return box;
+}
+
+std::vector<Vector2> RouteLine::places(double apart) const {
+  const double count = std::ceil(length() / apart);
+  std::vector<Vector2> places;
+  for (double i = 0; i <= count; ++i) places.push_back(at(length() * i / count));
+  return places;
 }
 
 }  // namespace stope::planner

@@ -25,6 +25,8 @@ class RouteLine {
   /// The distance along the line of the place nearest to a point, looked for between two distances.
   double nearest(const Vector2& point, double from, double to) const;
   MapBox box() const;
+  /// Places along the line, `apart` metres from each other or less, both ends among them.
+  std::vector<Vector2> places(double apart) const;
 
  private:
   RouteLine() = default;

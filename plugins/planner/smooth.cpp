@@ -65,12 +65,11 @@ class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid
     request.goal_tolerance = params.goal_tolerance;
     request.allow_reverse = params.allow_reverse;
     const ElevationGrid* heights = elevation ? &*elevation : nullptr;
+    const ClearanceField field = field_around(line, grid, request);
     const DriveCurve curve = drive_route(
-        line, grid, heights, request, [&](std::string_view sentence) { context.info(sentence); },
+        line, grid, heights, field, request,
+        [&](std::string_view sentence) { context.info(sentence); },
         [&] { context.stop_if_cancelled(); });
-
-    MapBox box = line.box();
-    const ClearanceField field(grid, box, 60);
     const Drivability ground(params, grid, field, heights);
     Path driven;
     driven.edges = path.edges;

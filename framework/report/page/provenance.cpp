@@ -70,8 +70,9 @@ std::string stages_html(const ReportData& data) {
   for (const PlannedStage& stage : data.plan.stages) {
     const StageRecord* record = data.catalogue.find(stage.info.id);
     html += fmt::format(
-        "<tr><td>{}</td><td><code>{}</code></td><td title=\"{}\">{}</td><td>{}</td></tr>\n",
+        "<tr><td>{}</td><td><code>{}</code>{}</td><td title=\"{}\">{}</td><td>{}</td></tr>\n",
         escaped(stage.name), escaped(stage.info.id),
+        stage.info.deterministic ? "" : " <span class=\"soft\">not deterministic</span>",
         record ? escaped(record->file.string() + ", build " + record->build_id) : "",
         record ? escaped(record->plugin_id + " " + record->plugin_version) : "",
         parameters_html(stage));

@@ -68,13 +68,16 @@ std::vector<double> somewhere(const Site& site, Random& random) {
   }
 }
 
-std::vector<Trial> random_pairs(const Site& site, int pairs, std::uint64_t seed) {
+std::vector<Trial> random_pairs(const Site& site, int pairs, std::uint64_t seed,
+                                const metric::TruckLimits& truck = {}, double min_clearance = 0) {
   Random random(seed);
   std::vector<Trial> trials;
   for (int i = 0; i < pairs; ++i) {
     Task task;
     task.start = somewhere(site, random);
     task.goal = somewhere(site, random);
+    task.truck = truck;
+    task.min_clearance = min_clearance;
     trials.push_back(run_trial(site, task));
   }
   return trials;
@@ -138,6 +141,11 @@ int run(int on_mine, int seeds, int on_pits) {
     const Site site = mine(maps / "dapai_0p5m.yaml");
     scenarios(site, maps / "scenarios");
     print_trials("Dapai at 0.5 m", random_pairs(site, on_mine, 7));
+    metric::TruckLimits large;
+    large.length = 13, large.width = 7, large.rear_overhang = 3.5, large.wheelbase = 6;
+    large.turning_radius = 15;
+    print_trials("the same with a truck of 13 x 7 m that turns with 15 m",
+                 random_pairs(site, on_mine / 2, 7, large, 4));
   } else {
     fmt::print("{} is not there: the real mine is left out\n", maps.string());
   }

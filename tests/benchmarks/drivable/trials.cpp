@@ -40,7 +40,7 @@ double cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Trial run_trial(const Site& site, const Task& task) {
+Trial run_trial(const Site& site, Task task) {
   Trial trial;
   Path route;
   trial.refused_by = "a_star";
@@ -50,21 +50,32 @@ Trial run_trial(const Site& site, const Task& task) {
                 .input("grid", site.grid)
                 .set("start", task.start)
                 .set("goal", task.goal)
+                .set("min_clearance", task.min_clearance)
                 .apply<Path>();
   });
   if (!trial.sentence.empty()) return trial;
   trial.route_length = route.length;
   trial.refused_by = "smooth";
-  StageHarness stage(stope_stage_Smooth());
-  stage.input("path", route).input("grid", site.grid).set("allow_reverse", task.allow_reverse);
-  if (site.elevation) stage.input("elevation", *site.elevation);
-  if (task.start_heading) stage.set("start_heading", *task.start_heading);
-  const double start = cpu_seconds();
-  trial.sentence = error_of([&] { trial.path = stage.apply<Path>(); });
-  trial.seconds = cpu_seconds() - start;
+  for (;;) {
+    StageHarness stage(stope_stage_Smooth());
+    stage.input("path", route).input("grid", site.grid).set("allow_reverse", task.allow_reverse);
+    stage.set("length", task.truck.length)
+        .set("width", task.truck.width)
+        .set("rear_overhang", task.truck.rear_overhang)
+        .set("wheelbase", task.truck.wheelbase)
+        .set("turning_radius", task.truck.turning_radius);
+    if (site.elevation) stage.input("elevation", *site.elevation);
+    if (task.start_heading) stage.set("start_heading", *task.start_heading);
+    const double start = cpu_seconds();
+    trial.sentence = error_of([&] { trial.path = stage.apply<Path>(); });
+    trial.seconds = cpu_seconds() - start;
+    if (trial.sentence.empty() || task.allow_reverse) break;
+    trial.forwards = trial.sentence;
+    task.allow_reverse = true;
+  }
   if (!trial.sentence.empty()) return trial;
   trial.refused_by.clear();
-  metric::TruckLimits truck;
+  metric::TruckLimits truck = task.truck;
   truck.margin = 0.5;
   const auto found = metric::check_drive(trial.path, site.grid,
                                          site.elevation ? &*site.elevation : nullptr, truck);
@@ -81,7 +92,7 @@ Trial run_trial(const Site& site, const Task& task) {
 void print_trials(const std::string& name, const std::vector<Trial>& trials) {
   std::map<std::string, int> reasons;
   std::vector<double> accepted, refused, ratios;
-  int no_route = 0, violations = 0, stops = 0, cusps = 0;
+  int no_route = 0, violations = 0, stops = 0, cusps = 0, reversed = 0;
   double least_clearance = 1e9, least_radius = 1e9, steepest = 0, kilometres = 0;
   for (const Trial& trial : trials) {
     if (trial.refused_by == "a_star") {
@@ -97,6 +108,7 @@ void print_trials(const std::string& name, const std::vector<Trial>& trials) {
       ++violations;
       fmt::print("  VIOLATION {}\n", trial.violation);
     }
+    if (!trial.forwards.empty() && reversed++ < 3) fmt::print("  forwards: {}\n", trial.forwards);
     ratios.push_back(trial.path.length / trial.route_length);
     kilometres += trial.path.length / 1000;
     least_clearance = std::min(least_clearance, trial.clearance);
@@ -107,7 +119,8 @@ void print_trials(const std::string& name, const std::vector<Trial>& trials) {
   }
   const std::size_t asked = accepted.size() + refused.size();
   fmt::print(
-      "{}: {} routes, {} accepted ({:.1f} %, {:.1f} km), {} refused; validator violations {}; "
+      "{}: {} routes, {} accepted ({:.1f} %, {:.1f} km; {} only with allow_reverse), {} refused; "
+      "validator violations {}; "
       "least "
       "radius {:.2f} m, least clearance {:.2f} m, steepest {:.1f} %; with stops to turn the wheels "
       "{}, "
@@ -117,15 +130,13 @@ void print_trials(const std::string& name, const std::vector<Trial>& trials) {
       name, asked, accepted.size(),
       100.0 * static_cast<double>(accepted.size()) /
           std::max<double>(1, static_cast<double>(asked)),
-      kilometres, refused.size(), violations, least_radius, least_clearance, 100 * steepest, stops,
-      cusps, share_of(ratios, 0.5), share_of(accepted, 0.5), share_of(accepted, 0.95),
-      share_of(accepted, 1), share_of(refused, 0.5), share_of(refused, 1), no_route);
+      kilometres, reversed, refused.size(), violations, least_radius, least_clearance,
+      100 * steepest, stops, cusps, share_of(ratios, 0.5), share_of(accepted, 0.5),
+      share_of(accepted, 0.95), share_of(accepted, 1), share_of(refused, 0.5), share_of(refused, 1),
+      no_route);
   for (const auto& [reason, count] : reasons) fmt::print("  refused {}: {}\n", count, reason);
   for (const Trial& trial : trials) {
-    if (trial.refused_by == "smooth") {
-      fmt::print("  e.g. {}\n", trial.sentence);
-      break;
-    }
+    if (trial.refused_by == "smooth") fmt::print("  {}\n", trial.sentence);
   }
 }
 

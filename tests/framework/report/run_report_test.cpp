@@ -122,6 +122,20 @@ TEST(RunReport, TellsEveryStageWithItsParametersInSiUnits) {
   EXPECT_EQ(json["machine"]["cores"].get<int>() > 0, true);
 }
 
+TEST(RunReport, SaysWhichStagesMayGiveOtherBytesTheNextTime) {
+  const made::Folder folder;
+  Plan plan = one_map_plan();
+  run_once(plan, folder.path / "out", "abc");
+  EXPECT_FALSE(json_of(folder.path / "out")["stages"][0].contains("deterministic"));
+  EXPECT_EQ(made::text_of(folder.path / "out" / "report.html").find("not deterministic"),
+            std::string::npos);
+  plan.stages[0].info.deterministic = false;
+  run_once(plan, folder.path / "out", "abc");
+  EXPECT_EQ(json_of(folder.path / "out")["stages"][0]["deterministic"], false);
+  EXPECT_NE(made::text_of(folder.path / "out" / "report.html").find("not deterministic"),
+            std::string::npos);
+}
+
 TEST(RunReport, ReplacesAnEarlierRunAndKeepsForeignFiles) {
   const made::Folder folder;
   made::put_text(folder.path / "notes.txt", "mine");

@@ -149,6 +149,38 @@ TEST(Smooth, ReversesOnlyIfAllowed) {
                           [](const PathPoint& point) { return point.speed < 0; }));
 }
 
+TEST(Smooth, TurnsRoundBetweenWallsWhereItMayReverse) {
+  // The circle that the truck turns in is 32 m wide, the alley 16 m: it has to go to and fro.
+  const OccupancyGrid grid = roads_of(16, {{{20, 50}, {150, 50}}}, false);
+  const Path line = path_of({{60, 50}, {140, 50}});
+  const auto sentence =
+      error_of([&] { smooth(line, grid).set("start_heading", kPi).apply<Path>(); });
+  expect_sentence(sentence, "allow reversing (allow_reverse: true), with which a way was found");
+  const Path path =
+      smooth(line, grid).set("start_heading", kPi).set("allow_reverse", true).apply<Path>();
+  expect_drivable(path, grid);
+  EXPECT_GE(judge(path, grid).cusps, 2U);
+  EXPECT_NEAR(path.points.back().x, 140, 0.3);
+}
+
+TEST(Smooth, TurnsRoundAtTheEndOfABlindAlley) {
+  // The route leads in, to two metres from where no truck can stand, and out again.
+  const OccupancyGrid grid = roads_of(16, {{{20, 50}, {150, 50}}}, false);
+  const Path line = path_of({{40, 50}, {140, 50}, {60, 50}});
+  const Path path = smooth(line, grid).set("allow_reverse", true).apply<Path>();
+  expect_drivable(path, grid);
+  EXPECT_NEAR(path.points.back().x, 60, 0.3);
+}
+
+TEST(Smooth, TakesTheSharpBendOfAFork) {
+  const OccupancyGrid grid = roads_of(16, {{{20, 20}, {150, 50}}, {{20, 80}, {150, 50}}});
+  const Path line = path_of({{30, 22.3}, {150, 50}, {30, 77.7}});
+  const Path path = smooth(line, grid).set("allow_reverse", true).apply<Path>();
+  expect_drivable(path, grid);
+  EXPECT_NEAR(path.points.back().x, 30, 0.3);
+  EXPECT_NEAR(path.points.back().y, 77.7, 0.3);
+}
+
 TEST(Smooth, KeepsToTheGradeOrSaysWhereItIsTooSteep) {
   const OccupancyGrid grid = roads_of(16, {{{20, 20}, {150, 20}}});
   const auto ramp = [&](double grade) {
