@@ -27,7 +27,7 @@ struct Route {
 enum class RouteSearch : int {
   kAStar,      ///< nothing to prepare; looks at a good part of the network
   kLandmarks,  ///< prepared in some full searches; a few percent of the network
-  kHierarchy,  ///< prepared in minutes for a million nodes; a few hundred nodes
+  kHierarchy,  ///< prepared in some ten seconds for a million nodes; a few hundred nodes
 };
 
 /// Finds cheapest ways between places on roads, again and again, with roads blocked or dearer from

@@ -168,6 +168,27 @@ TEST(NetworkSearch, GivesTheSameWayEachTimeItIsAsked) {
   EXPECT_EQ(other.find({&from, 1}, {&to, 1}).arcs, first.arcs);
 }
 
+TEST(NetworkSearch, ReroutingLooksRoundOnlyAtWhatIsBlocked) {
+  const TestNetwork network = lattice(61, 1, 1);
+  const SearchGraph graph = network.graph();
+  const ContractionHierarchy hierarchy(graph, network.places());
+  HierarchySearch search(hierarchy);
+  RerouteSearch reroute(graph, hierarchy);
+  const auto settled_round = [&](const WayEnd& from, const WayEnd& to, WayCost dearer) {
+    const Way way = search.find({&from, 1}, {&to, 1});
+    CostChanges changes;
+    changes.block(way.arcs[way.arcs.size() / 2]);
+    const Way round = reroute.find({&from, 1}, {&to, 1}, changes);
+    EXPECT_EQ(round.cost, way.cost + dearer);
+    expect_sound(graph, {from}, {to}, changes, round);
+    return round.settled;
+  };
+  // From corner to corner there are ways as cheap beside the piece; along a row there are none, and
+  // all nodes before the piece might be where to turn off.
+  EXPECT_LT(settled_round({0, 0}, {61 * 61 - 1, 0}, 0), 20U);
+  EXPECT_LT(settled_round({30 * 61, 0}, {30 * 61 + 60, 0}, 20'000), 45U);
+}
+
 TEST(NetworkSearch, WaysTooLongForTheHierarchyAreRefused) {
   const std::vector<ArcBetween> arcs{{0, 1, 4'000'000'000U}, {1, 2, 4'000'000'000U}};
   const SearchGraph graph(3, arcs);
