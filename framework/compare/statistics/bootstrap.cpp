@@ -3,12 +3,14 @@
 // Idea: draw samples of the same size from the sample, with replacement, and look how the statistic
 // spreads. The plain quantiles of that spread are shifted where the statistic is biased (z0: the
 // share of resamples below the estimate) and where its spread changes with its value (a: from
-// leaving out one value at a time).
+// leaving out one value at a time). Of a handful of values all this is too narrow: the tails are
+// then moved outward.
 // Cost: resamples x size of the sample, plus a sort.
 #include "framework/compare/statistics/bootstrap.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <vector>
 
@@ -68,6 +70,41 @@ double quantile(const std::vector<double>& sorted, double probability) {
          part * sorted[static_cast<std::size_t>(above)];
 }
 
+class Resampling {
+ public:
+  Resampling(std::span<const double> sample, const Statistic& statistic,
+             const BootstrapRules& rules)
+      : values_(resampled(sample, statistic, rules)),
+        z0_(bias_correction(values_, statistic(sample))),
+        a_(acceleration(sample, statistic)) {}
+
+  Interval percentile(double tail) const {
+    return {quantile(values_, tail), quantile(values_, 1 - tail)};
+  }
+  Interval bca(double tail) const { return {corrected(z_of(tail)), corrected(-z_of(tail))}; }
+
+ private:
+  double corrected(double z) const {
+    const double moved = z0_ + z;
+    return quantile(values_, probability_of(z0_ + moved / (1 - a_ * moved)));
+  }
+  std::vector<double> values_;  ///< of the resamples, sorted
+  double z0_, a_;
+};
+
+// Of a mean of few values the resamples spread too little, by n - 1 to n, and like a normal
+// distribution where Student's is wanted.
+double expanded_tail(double tail, std::size_t size) {
+  const double n = static_cast<double>(size);
+  const boost::math::students_t student(n - 1);
+  return probability_of(boost::math::quantile(student, tail) * std::sqrt(n / (n - 1)));
+}
+
+bool all_equal(std::span<const double> sample) {
+  return std::all_of(sample.begin(), sample.end(),
+                     [&](double value) { return value == sample.front(); });
+}
+
 }  // namespace
 
 double mean_of(std::span<const double> sample) {
@@ -78,17 +115,17 @@ double mean_of(std::span<const double> sample) {
 
 Interval bca_interval(std::span<const double> sample, const Statistic& statistic,
                       const BootstrapRules& rules) {
-  const double estimate = statistic(sample);
-  const auto differs = [&](double value) { return value != sample.front(); };
-  if (std::none_of(sample.begin(), sample.end(), differs)) return {estimate, estimate};
-  const std::vector<double> values = resampled(sample, statistic, rules);
-  const double z0 = bias_correction(values, estimate), a = acceleration(sample, statistic);
-  const auto bound = [&](double probability) {
-    const double z = z0 + z_of(probability);
-    return quantile(values, probability_of(z0 + z / (1 - a * z)));
-  };
-  const double tail = (1 - rules.confidence) / 2;
-  return {bound(tail), bound(1 - tail)};
+  if (all_equal(sample)) return {statistic(sample), statistic(sample)};
+  return Resampling(sample, statistic, rules).bca((1 - rules.confidence) / 2);
+}
+
+Interval small_sample_interval(std::span<const double> sample, const Statistic& statistic,
+                               const BootstrapRules& rules) {
+  if (all_equal(sample)) return {statistic(sample), statistic(sample)};
+  const Resampling resampling(sample, statistic, rules);
+  const double tail = expanded_tail((1 - rules.confidence) / 2, sample.size());
+  const Interval corrected = resampling.bca(tail), plain = resampling.percentile(tail);
+  return {std::min(corrected.low, plain.low), std::max(corrected.high, plain.high)};
 }
 
 }  // namespace stope

@@ -32,4 +32,12 @@ struct BootstrapRules {
 Interval bca_interval(std::span<const double> sample, const Statistic& statistic,
                       const BootstrapRules& rules = {});
 
+/// The same interval made honest for a handful of values, of which the plain one holds the mean in
+/// 79 to 92 % of all cases where it says 95 % (docs/verdicts.md). Its tails are those that
+/// Student's distribution has at this size (the expanded percentiles of Hesterberg, What Teachers
+/// Should Know About the Bootstrap, 2015), and the two corrections, which six values cannot tell
+/// well, may widen it beyond the interval without them but never narrow it.
+Interval small_sample_interval(std::span<const double> sample, const Statistic& statistic,
+                               const BootstrapRules& rules = {});
+
 }  // namespace stope

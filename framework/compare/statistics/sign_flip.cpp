@@ -8,7 +8,7 @@
 namespace stope {
 namespace {
 
-constexpr std::size_t kMostExact = 13;
+constexpr std::size_t kMostExact = 15;
 constexpr int kRandomFlips = 10'000;
 
 double sum_with_signs(std::span<const double> differences, std::uint64_t signs) {
@@ -45,6 +45,12 @@ double sign_flip_probability(std::span<const double> differences, std::uint64_t 
     as_far += std::fabs(sum) >= least ? 1 : 0;
   }
   return static_cast<double>(as_far) / (kRandomFlips + 1);
+}
+
+double least_probability(std::size_t differences) {
+  if (differences == 0) return 1;
+  return differences <= kMostExact ? std::ldexp(1.0, 1 - static_cast<int>(differences))
+                                   : 1.0 / (kRandomFlips + 1);
 }
 
 }  // namespace stope

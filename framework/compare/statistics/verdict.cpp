@@ -14,11 +14,13 @@ constexpr double kLeastSure = 0.05;
 ComparedMeasure measure_differences(const MeasuredPairs& measured, std::uint64_t seed) {
   ComparedMeasure compared;
   compared.measure = measured.measure;
+  compared.smallest_that_matters = measured.smallest_that_matters;
   for (const Pair& pair : measured.pairs) {
     if (!std::isfinite(pair.baseline) || !std::isfinite(pair.arm)) {
       compared.excluded.push_back(pair.recording);
       continue;
     }
+    compared.recordings.push_back(pair.recording);
     const double difference = pair.arm - pair.baseline;
     // Not -difference: a difference of 0 must not become -0.
     compared.differences.push_back(
@@ -28,7 +30,7 @@ ComparedMeasure measure_differences(const MeasuredPairs& measured, std::uint64_t
   compared.mean_difference = mean_of(compared.differences);
   BootstrapRules rules;
   rules.seed = mix_seed(seed, 0);
-  compared.interval = bca_interval(compared.differences, mean_of, rules);
+  compared.interval = small_sample_interval(compared.differences, mean_of, rules);
   compared.probability = sign_flip_probability(compared.differences, mix_seed(seed, 1));
   return compared;
 }
@@ -43,7 +45,40 @@ Verdict verdict_of(const ComparedMeasure& compared, const MeasuredPairs& measure
   return Verdict::kNoDifferenceShown;
 }
 
+Weight weight_of(const Interval& interval, double delta) {
+  if (delta > 0 && (interval.low > delta || interval.high < -delta)) return Weight::kMatters;
+  if (delta > 0 && interval.inside(-delta, delta)) return Weight::kNegligible;
+  return Weight::kUnclear;
+}
+
+std::string weighed(const std::string& word, const ComparedMeasure& compared) {
+  if (compared.smallest_that_matters <= 0) return word;
+  switch (compared.weight) {
+    case Weight::kMatters:
+      return word + ", and it matters";
+    case Weight::kNegligible:
+      return word + ", but by too little to matter";
+    case Weight::kUnclear:
+      break;
+  }
+  return word + ", perhaps by too little to matter";
+}
+
+bool enough(std::size_t recordings, std::size_t tests) {
+  return recordings >= kLeastRecordings &&
+         static_cast<double>(tests) * least_probability(recordings) < kLeastSure;
+}
+
 }  // namespace
+
+bool ComparedMeasure::can_show() const { return enough(differences.size(), tests); }
+
+std::size_t recordings_needed(std::size_t tests) {
+  std::size_t recordings = kLeastRecordings;
+  // Past 500 tests no number of them would do: the chances are not counted that finely.
+  while (recordings < 20 && !enough(recordings, tests)) ++recordings;
+  return recordings;
+}
 
 std::vector<ComparedMeasure> compare(const std::vector<MeasuredPairs>& measures,
                                      std::uint64_t seed) {
@@ -51,20 +86,20 @@ std::vector<ComparedMeasure> compare(const std::vector<MeasuredPairs>& measures,
   std::vector<double> probabilities;
   std::vector<std::size_t> tested;
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    result.push_back(measure_differences(measures[i], mix_seed(seed, i)));
+    result.push_back(measure_differences(measures[i], seed));
     // What is not tested is no occasion for a false alarm.
     if (measures[i].outputs_identical || result[i].differences.size() < kLeastRecordings) continue;
     tested.push_back(i);
     probabilities.push_back(result[i].probability);
   }
   const std::vector<double> adjusted = holm(probabilities);
-  for (std::size_t i = 0; i < tested.size(); ++i) result[tested[i]].adjusted = adjusted[i];
+  for (std::size_t i = 0; i < tested.size(); ++i) {
+    result[tested[i]].adjusted = adjusted[i];
+    result[tested[i]].tests = tested.size();
+  }
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    ComparedMeasure& compared = result[i];
-    compared.verdict = verdict_of(compared, measures[i]);
-    const double delta = measures[i].smallest_that_matters;
-    compared.matters = (compared.verdict == Verdict::kBetter && compared.interval.low > delta) ||
-                       (compared.verdict == Verdict::kWorse && compared.interval.high < -delta);
+    result[i].verdict = verdict_of(result[i], measures[i]);
+    result[i].weight = weight_of(result[i].interval, measures[i].smallest_that_matters);
   }
   return result;
 }
@@ -76,9 +111,9 @@ std::string text_of(const ComparedMeasure& compared) {
     case Verdict::kTooFew:
       return "too few recordings to say";
     case Verdict::kBetter:
-      return compared.matters ? "better, and it matters" : "better, perhaps by less than matters";
+      return weighed("better", compared);
     case Verdict::kWorse:
-      return compared.matters ? "worse, and it matters" : "worse, perhaps by less than matters";
+      return weighed("worse", compared);
     case Verdict::kSame:
       return "the same";
     case Verdict::kNoDifferenceShown:

@@ -35,22 +35,42 @@ enum class Verdict : int {
   kNoDifferenceShown,  ///< anything else: not that there is none
 };
 
+/// Whether a difference that was shown is large enough to care.
+enum class Weight : int {
+  kMatters,     ///< all of the interval lies beyond delta
+  kUnclear,     ///< some of it
+  kNegligible,  ///< none of it: surely there, surely small
+};
+
 /// A measure compared. Differences are arm - baseline, turned so that above 0 the arm is better.
 struct ComparedMeasure {
   std::string measure;
   Verdict verdict = Verdict::kNoDifferenceShown;
-  bool matters = false;  ///< better or worse by more than delta, all of the interval
+  Weight weight = Weight::kUnclear;  ///< of one that is better or worse
+  double smallest_that_matters = 0;  ///< delta; 0: not stated, and nothing is said of weight
   double mean_difference = 0;
-  Interval interval;                  ///< of the mean difference, 95 %
-  double probability = 1;             ///< by sign flips
-  double adjusted = 1;                ///< by Holm, over the measures compared together
-  std::vector<double> differences;    ///< by recording, of those that count
-  std::vector<std::string> excluded;  ///< recordings with a measure that is not finite
+  Interval interval;                    ///< of the mean difference, 95 %: small_sample_interval
+  double probability = 1;               ///< by sign flips
+  double adjusted = 1;                  ///< by Holm, over the measures compared together
+  std::size_t tests = 0;                ///< how many that were
+  std::vector<std::string> recordings;  ///< that count
+  std::vector<double> differences;      ///< of each of them
+  std::vector<std::string> excluded;    ///< recordings with a measure that is not finite
+
+  bool matters() const { return weight == Weight::kMatters; }
+  /// Whether so few recordings can show anything at all beside so many tests.
+  bool can_show() const;
 };
 
 constexpr std::size_t kLeastRecordings = 6;
 
-/// Compares two arms by several measures at once. Deterministic for a seed.
+/// How many recordings it takes before a difference that all of them agree on can be shown beside
+/// so many tests: 6 for one, 7 for two or three, 10 for up to 25.
+std::size_t recordings_needed(std::size_t tests);
+
+/// Compares by several measures at once, which need not be of the same two arms: all of them are
+/// chances of a false alarm, so all are adjusted for together. Deterministic for a seed, and what
+/// is found of one does not depend on its place among the others but for the adjustment.
 std::vector<ComparedMeasure> compare(const std::vector<MeasuredPairs>& measures,
                                      std::uint64_t seed);
 

@@ -16,6 +16,22 @@ TEST(SignFlip, CountsAllWaysOfASmallSample) {
   EXPECT_DOUBLE_EQ(sign_flip_probability(std::vector<double>(6, 0.1), 0), 2.0 / 64);
 }
 
+TEST(SignFlip, CountsWhatFisherCounted) {
+  // Darwin's fifteen pairs of maize, eighths of an inch: 1726 of 32 768 ways lie as far from 0 as
+  // 314 (Fisher, The Design of Experiments, 1935, sec. 21).
+  const std::vector<double> maize{49, -67, 8, 16, 6, 23, 28, 41, 14, 29, 56, 24, 75, 60, -48};
+  EXPECT_DOUBLE_EQ(sign_flip_probability(maize, 0), 1726.0 / 32768);
+}
+
+TEST(SignFlip, CannotBeLessSureThanItsWaysAreMany) {
+  for (const std::size_t n : {1U, 6U, 10U, 15U, 40U}) {
+    std::vector<double> sample(n);
+    for (std::size_t i = 0; i < n; ++i) sample[i] = 1 + 0.1 * static_cast<double>(i);
+    EXPECT_DOUBLE_EQ(sign_flip_probability(sample, 3), least_probability(n)) << n;
+  }
+  EXPECT_EQ(least_probability(0), 1);
+}
+
 TEST(SignFlip, IsCertainWhereThereIsNothingToSee) {
   EXPECT_EQ(sign_flip_probability(std::vector<double>{}, 0), 1);
   EXPECT_EQ(sign_flip_probability(std::vector<double>(9, 0.0), 0), 1);
@@ -28,10 +44,10 @@ TEST(SignFlip, IsNotMovedByZeros) {
 }
 
 TEST(SignFlip, OfALargeSampleIsNearTheExactOne) {
-  std::vector<double> sample(14, 1.0);
-  sample[0] = -1;
-  // |sum| >= 12: 0 or 1 or 13 or 14 minus signs: (1 + 14) * 2 of 2^14.
-  EXPECT_NEAR(sign_flip_probability(sample, 1), 30.0 / 16384, 0.0015);
+  std::vector<double> sample(18, 1.0);
+  sample[0] = sample[1] = sample[2] = -1;
+  // |sum| >= 12: at most 3 of one sign: 2 (1 + 18 + 153 + 816) of 2^18 ways.
+  EXPECT_NEAR(sign_flip_probability(sample, 1), 1976.0 / 262144, 0.003);
 }
 
 TEST(SignFlip, IsUniformWhereThereIsNoDifference) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "stope/random.hpp"
@@ -34,7 +36,16 @@ TEST(Verdict, ClearDifferencesAreBetterOrWorseByTheMeasuresDirection) {
 TEST(Verdict, ASureDifferenceNeedNotMatter) {
   const ComparedMeasure compared = compare({pairs(10, 0.3, 0.05, 3, 0.5)}, 1)[0];
   EXPECT_EQ(compared.verdict, Verdict::kBetter);
-  EXPECT_FALSE(compared.matters);
+  EXPECT_EQ(compared.weight, Weight::kNegligible);
+  EXPECT_EQ(text_of(compared), "better, but by too little to matter");
+  const ComparedMeasure unclear = compare({pairs(10, 0.5, 0.1, 3, 0.5)}, 1)[0];
+  EXPECT_EQ(text_of(unclear), "better, perhaps by too little to matter");
+}
+
+TEST(Verdict, SaysNothingOfWeightWhereNoDeltaIsStated) {
+  EXPECT_EQ(text_of(compare({pairs(10, 1, 0.1, 3, 0)}, 1)[0]), "better");
+  EXPECT_FALSE(compare({pairs(10, 1, 0.1, 3, 0)}, 1)[0].matters());
+  EXPECT_EQ(compare({pairs(10, 0, 0, 3, 0)}, 1)[0].verdict, Verdict::kNoDifferenceShown);
 }
 
 TEST(Verdict, FewerThanSixRecordingsAreTooFew) {
@@ -69,16 +80,57 @@ TEST(Verdict, SeveralMeasuresMakeEachHarderToBelieve) {
   // With six recordings the smallest chance is 2 / 64: believed alone, not beside a second.
   const MeasuredPairs clear = pairs(6, 1, 0.1, 3), noise = pairs(6, 0, 1, 9);
   EXPECT_EQ(compare({clear}, 1)[0].verdict, Verdict::kBetter);
-  EXPECT_EQ(compare({clear, noise}, 1)[0].verdict, Verdict::kNoDifferenceShown);
+  const ComparedMeasure beside = compare({clear, noise}, 1)[0];
+  EXPECT_EQ(beside.verdict, Verdict::kNoDifferenceShown);
+  EXPECT_FALSE(beside.can_show());
+  EXPECT_EQ(recordings_needed(beside.tests), 7U);
+  EXPECT_EQ(compare({pairs(7, 1, 0.1, 3), pairs(7, 0, 1, 9)}, 1)[0].verdict, Verdict::kBetter);
+}
+
+TEST(Verdict, RecordingsNeededAreThoseOfUnanimousSigns) {
+  const std::vector<std::pair<std::size_t, std::size_t>> needed{
+      {1, 6}, {2, 7}, {3, 7}, {4, 8}, {6, 8}, {7, 9}, {25, 10}, {26, 11}, {102, 12}};
+  for (const auto& [tests, recordings] : needed)
+    EXPECT_EQ(recordings_needed(tests), recordings) << tests;
+}
+
+TEST(Verdict, DoesNotDependOnThePlaceAmongOthers) {
+  const MeasuredPairs one = pairs(10, 0.3, 0.4, 3), other = pairs(10, 0, 1, 9);
+  const ComparedMeasure first = compare({one, other}, 1)[0], last = compare({other, one}, 1)[1];
+  EXPECT_EQ(first.interval.low, last.interval.low);
+  EXPECT_EQ(first.interval.high, last.interval.high);
+  EXPECT_EQ(first.adjusted, last.adjusted);
+}
+
+// Comparisons of equal arms that call any of their measures different.
+int false_alarms(int recordings, int measures, double (*noise)(Random&)) {
+  int alarms = 0;
+  for (std::uint64_t trial = 0; trial < 200; ++trial) {
+    Random random(mix_seed(100, trial));
+    std::vector<MeasuredPairs> all;
+    for (int measure = 0; measure < measures; ++measure) {
+      all.push_back({"measure", Direction::kHigher, 0.1, {}, false});
+      for (int i = 0; i < recordings; ++i) {
+        const double truth = random.uniform(5, 15);
+        const double baseline = truth + noise(random), arm = truth + noise(random);
+        all.back().pairs.push_back({"pit-" + std::to_string(i), baseline, arm});
+      }
+    }
+    const std::vector<ComparedMeasure> compared = compare(all, trial);
+    alarms += std::any_of(compared.begin(), compared.end(), [](const ComparedMeasure& one) {
+      return one.verdict == Verdict::kBetter || one.verdict == Verdict::kWorse;
+    });
+  }
+  return alarms;
 }
 
 TEST(Verdict, EqualArmsAreSeldomCalledDifferent) {
-  int alarms = 0;
-  for (std::uint64_t trial = 0; trial < 200; ++trial) {
-    const Verdict verdict = compare({pairs(10, 0, 1, 100 + trial)}, trial)[0].verdict;
-    alarms += verdict == Verdict::kBetter || verdict == Verdict::kWorse ? 1 : 0;
-  }
-  EXPECT_LE(alarms, 17);
+  const auto normal = [](Random& random) { return random.normal(); };
+  const auto skewed = [](Random& random) { return std::exp(random.normal()); };
+  EXPECT_LE(false_alarms(6, 1, normal), 17);
+  EXPECT_LE(false_alarms(10, 1, normal), 17);
+  EXPECT_LE(false_alarms(10, 4, normal), 17);
+  EXPECT_LE(false_alarms(8, 3, skewed), 17);
 }
 
 TEST(Verdict, APlantedDifferenceOfTwiceDeltaIsFound) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "framework/compare/comparison.hpp"
+
+namespace stope {
+
+/// What a comparison says of one arm beside the baseline.
+struct ArmVerdicts {
+  std::size_t arm = 0;
+  std::vector<ComparedMeasure> measures;  ///< by metric, as Comparison::metrics
+};
+
+/// The verdicts of all arms but the baseline. One family of tests: the chance that any of them is
+/// a false alarm is below 0.05, for who has several arms looks at the one that stands out (Demsar,
+/// Statistical Comparisons of Classifiers over Multiple Data Sets, 2006, sec. 3.2). An arm that is
+/// a copy of an earlier one has its verdicts and is not counted again. Recordings that an arm or
+/// the baseline lacks are in `excluded`. Deterministic.
+std::vector<ArmVerdicts> verdicts_of(const Comparison& comparison);
+
+}  // namespace stope
