@@ -21,12 +21,16 @@ ComparedMeasure measure_differences(const MeasuredPairs& measured, std::uint64_t
       continue;
     }
     compared.recordings.push_back(pair.recording);
+    compared.baseline_mean += pair.baseline;
+    compared.arm_mean += pair.arm;
     const double difference = pair.arm - pair.baseline;
     // Not -difference: a difference of 0 must not become -0.
     compared.differences.push_back(
         measured.direction == Direction::kHigher ? difference : pair.baseline - pair.arm);
   }
   if (compared.differences.empty()) return compared;
+  compared.baseline_mean /= static_cast<double>(compared.differences.size());
+  compared.arm_mean /= static_cast<double>(compared.differences.size());
   compared.mean_difference = mean_of(compared.differences);
   BootstrapRules rules;
   rules.seed = mix_seed(seed, 0);

@@ -48,6 +48,7 @@ struct ComparedMeasure {
   Verdict verdict = Verdict::kNoDifferenceShown;
   Weight weight = Weight::kUnclear;  ///< of one that is better or worse
   double smallest_that_matters = 0;  ///< delta; 0: not stated, and nothing is said of weight
+  double baseline_mean = 0, arm_mean = 0;  ///< over the recordings that count
   double mean_difference = 0;
   Interval interval;                    ///< of the mean difference, 95 %: small_sample_interval
   double probability = 1;               ///< by sign flips
