@@ -21,8 +21,8 @@ template <class F>
 void for_cells_of_both(const Comparison& comparison, std::size_t recording, std::size_t arm,
                        std::size_t other, F&& visit) {
   for (std::size_t seed = 0; seed < comparison.seeds.size(); ++seed) {
-    const Cell& a = comparison.cell(arm, recording, seed);
-    const Cell& b = comparison.cell(other, recording, seed);
+    const ComparedCell& a = comparison.cell(arm, recording, seed);
+    const ComparedCell& b = comparison.cell(other, recording, seed);
     if (a.status == CellStatus::kDone && b.status == CellStatus::kDone) visit(a, b);
   }
 }
@@ -32,12 +32,13 @@ void for_cells_of_both(const Comparison& comparison, std::size_t recording, std:
 bool outputs_identical(const Comparison& comparison, std::size_t arm, std::size_t other) {
   bool any = false, same = true;
   for (std::size_t recording = 0; recording < comparison.recordings.size(); ++recording)
-    for_cells_of_both(comparison, recording, arm, other, [&](const Cell& a, const Cell& b) {
-      any = true;
-      same = same && same_measures(a.measures, b.measures) &&
-             std::equal(a.artefacts.begin(), a.artefacts.end(), b.artefacts.begin(),
-                        b.artefacts.end(), same_file);
-    });
+    for_cells_of_both(comparison, recording, arm, other,
+                      [&](const ComparedCell& a, const ComparedCell& b) {
+                        any = true;
+                        same = same && same_measures(a.measures, b.measures) &&
+                               std::equal(a.artefacts.begin(), a.artefacts.end(),
+                                          b.artefacts.begin(), b.artefacts.end(), same_file);
+                      });
   return any && same;
 }
 
@@ -51,7 +52,8 @@ std::vector<MeasuredPairs> measured_pairs(const Comparison& comparison, std::siz
       double baseline_sum = 0, arm_sum = 0;
       std::size_t count = 0;
       for_cells_of_both(
-          comparison, recording, comparison.baseline, arm, [&](const Cell& a, const Cell& b) {
+          comparison, recording, comparison.baseline, arm,
+          [&](const ComparedCell& a, const ComparedCell& b) {
             if (!std::isfinite(a.measures[metric]) || !std::isfinite(b.measures[metric])) return;
             baseline_sum += a.measures[metric];
             arm_sum += b.measures[metric];

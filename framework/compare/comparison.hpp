@@ -11,8 +11,8 @@
 /// compare` fills it, framework/compare/comparison_json writes and reads it, and the report is
 /// drawn from it alone, so that a report can be made again without running anything.
 ///
-/// Arms, recordings and seeds span a table; a Cell is one run in it. Cells name them by their place
-/// in these lists.
+/// Arms, recordings and seeds span a table; a ComparedCell is one run in it. Cells name them by
+/// their place in these lists.
 namespace stope {
 
 /// One variant of the pipeline.
@@ -88,7 +88,7 @@ enum class CellStatus : int {
 };
 
 /// One arm on one recording with one seed.
-struct Cell {
+struct ComparedCell {
   std::size_t arm = 0, recording = 0, seed = 0;  ///< places in the lists of Comparison
   CellStatus status = CellStatus::kPending;
   std::string sentence;      ///< why it failed or was excluded
@@ -134,15 +134,16 @@ struct Comparison {
   std::vector<ComparedRecording> recordings;
   std::vector<std::uint64_t> seeds;
   std::vector<ComparedMetric> metrics;
-  std::vector<Cell> cells;  ///< all of them: for each recording, for each seed, for each arm
+  std::vector<ComparedCell>
+      cells;  ///< all of them: for each recording, for each seed, for each arm
   std::vector<Exclusion> exclusions;
   std::vector<TimedPair> timings;     ///< empty unless the experiment asks for them
   std::vector<std::string> warnings;  ///< such as of arms that are equal
 
-  const Cell& cell(std::size_t arm, std::size_t recording, std::size_t seed) const {
+  const ComparedCell& cell(std::size_t arm, std::size_t recording, std::size_t seed) const {
     return cells[(recording * seeds.size() + seed) * arms.size() + arm];
   }
-  Cell& cell(std::size_t arm, std::size_t recording, std::size_t seed) {
+  ComparedCell& cell(std::size_t arm, std::size_t recording, std::size_t seed) {
     return cells[(recording * seeds.size() + seed) * arms.size() + arm];
   }
 };

@@ -20,7 +20,7 @@ Comparison table(const std::vector<std::string>& recordings,
   for (std::size_t recording = 0; recording < recordings.size(); ++recording)
     for (std::size_t seed = 0; seed < seeds.size(); ++seed)
       for (std::size_t arm = 0; arm < 2; ++arm) {
-        Cell cell;
+        ComparedCell cell;
         cell.arm = arm;
         cell.recording = recording;
         cell.seed = seed;
@@ -29,7 +29,7 @@ Comparison table(const std::vector<std::string>& recordings,
   return made;
 }
 
-void finish(Cell& cell, double measure, const std::string& sha256 = "") {
+void finish(ComparedCell& cell, double measure, const std::string& sha256 = "") {
   cell.status = CellStatus::kDone;
   cell.measures = {measure};
   cell.artefacts = {{"roads.geojson", "", sha256, 0, CellArtefact::Kind::kGeojson, false}};
@@ -37,7 +37,7 @@ void finish(Cell& cell, double measure, const std::string& sha256 = "") {
 
 TEST(Comparison, PlacesOfCellsGoByRecordingThenSeedThenArm) {
   const Comparison made = table({"a", "b", "c"}, {4, 5});
-  for (const Cell& cell : made.cells)
+  for (const ComparedCell& cell : made.cells)
     EXPECT_EQ(&made.cell(cell.arm, cell.recording, cell.seed), &cell);
 }
 

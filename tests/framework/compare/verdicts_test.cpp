@@ -16,7 +16,7 @@ Comparison made(const std::vector<double>& differences, std::size_t pits) {
     comparison.arms.push_back({"arm-" + std::to_string(arm), {}, {}, {}});
   for (std::size_t pit = 0; pit < pits; ++pit)
     for (std::size_t arm = 0; arm < differences.size(); ++arm) {
-      Cell cell;
+      ComparedCell cell;
       cell.arm = arm;
       cell.recording = pit;
       cell.status = CellStatus::kDone;
@@ -67,7 +67,7 @@ TEST(Verdicts, NameTheRecordingsThatDoNotCount) {
 
 TEST(Verdicts, AreTooFewOfAComparisonThatHasNotBegun) {
   Comparison comparison = made({0, 1}, 8);
-  for (Cell& cell : comparison.cells) cell.status = CellStatus::kPending;
+  for (ComparedCell& cell : comparison.cells) cell.status = CellStatus::kPending;
   const ComparedMeasure measure = verdicts_of(comparison)[0].measures[0];
   EXPECT_EQ(measure.verdict, Verdict::kTooFew);
   EXPECT_EQ(measure.excluded.size(), 8U);
