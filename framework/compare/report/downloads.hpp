@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/compare/verdicts.hpp"
+
+namespace stope::report {
+
+/// A table or a text that the page offers and that stands beside it as a file.
+struct Download {
+  const char* name;   ///< `verdicts.csv`
+  const char* media;  ///< `text/csv`
+  const char* what;   ///< `one line an arm and metric`
+  std::string text;
+};
+
+/// verdicts.csv, measures.csv, stage_times.csv and verdicts.json.
+std::vector<Download> downloads_of(const Comparison& comparison,
+                                   const std::vector<ArmVerdicts>& verdicts);
+
+/// One line an arm and metric; CSV as RFC 4180, a point in numbers, empty where there is none.
+std::string verdicts_csv(const Comparison& comparison, const std::vector<ArmVerdicts>& verdicts);
+/// One line a cell and metric, of all cells.
+std::string measures_csv(const Comparison& comparison);
+/// One line a cell and stage.
+std::string stage_times_csv(const Comparison& comparison);
+/// What was found, with the paired differences; comparison.json holds what it was found from.
+std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVerdicts>& verdicts);
+
+/// A word for programs: `better`, `no_difference_shown`…
+const char* name_of(Verdict verdict);
+const char* name_of(CellStatus status);
+const char* name_of(StageFate fate);
+
+}  // namespace stope::report

@@ -1,0 +1,91 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "framework/compare/report/downloads.hpp"
+#include "framework/compare/report/finding.hpp"
+
+namespace stope::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json metric_json(const ComparedMetric& metric) {
+  return {{"name", metric.name},
+          {"stage", metric.stage},
+          {"measure", metric.measure},
+          {"unit", metric.unit},
+          {"direction", metric.direction == Direction::kHigher ? "higher" : "lower"},
+          {"delta", metric.smallest_that_matters}};
+}
+
+Json measure_json(const ComparedMeasure& measure) {
+  Json json{{"metric", measure.measure},
+            {"verdict", name_of(measure.verdict)},
+            {"text", text_of(measure)},
+            {"matters", measure.matters() && (measure.verdict == Verdict::kBetter ||
+                                              measure.verdict == Verdict::kWorse)}};
+  if (!measure.differences.empty()) {
+    json["difference"] = number(measure.mean_difference);
+    json["interval"] = {number(measure.interval.low), number(measure.interval.high)};
+    json["baseline_mean"] = number(measure.baseline_mean);
+    json["arm_mean"] = number(measure.arm_mean);
+  }
+  if (measure.tests > 0) {
+    json["p"] = measure.probability;
+    json["p_adjusted"] = measure.adjusted;
+    json["tests"] = measure.tests;
+    json["can_show"] = measure.can_show();
+  }
+  Json differences = Json::object();
+  for (std::size_t i = 0; i < measure.differences.size(); ++i)
+    differences[measure.recordings[i]] = number(measure.differences[i]);
+  json["differences"] = differences;
+  json["excluded"] = measure.excluded;
+  return json;
+}
+
+}  // namespace
+
+std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVerdicts>& verdicts) {
+  Json arms = Json::array(), metrics = Json::array(), found = Json::array(),
+       exclusions = Json::array();
+  for (const ComparedArm& arm : comparison.arms)
+    arms.push_back({{"name", arm.name},
+                    {"overrides", arm.overrides},
+                    {"same_as", arm.same_as.empty() ? Json(nullptr) : Json(arm.same_as)}});
+  for (const ComparedMetric& metric : comparison.metrics) metrics.push_back(metric_json(metric));
+  for (const ArmVerdicts& arm : verdicts) {
+    Json measures = Json::array();
+    for (const ComparedMeasure& measure : arm.measures) measures.push_back(measure_json(measure));
+    found.push_back({{"arm", comparison.arms[arm.arm].name},
+                     {"finding", finding_text(comparison, arm)},
+                     {"metrics", measures}});
+  }
+  for (const Exclusion& left_out : comparison.exclusions)
+    exclusions.push_back(
+        {{"arm", left_out.arm},
+         {"recording", left_out.recording},
+         {"seed", left_out.seed},
+         {"metric", left_out.metric.empty() ? Json(nullptr) : Json(left_out.metric)},
+         {"sentence", left_out.sentence}});
+  const Json json{{"format", 1},
+                  {"stope", comparison.version},
+                  {"name", comparison.name},
+                  {"file", comparison.file.string()},
+                  {"base", comparison.base.string()},
+                  {"started", comparison.started},
+                  {"ended", comparison.ended},
+                  {"complete", comparison.complete},
+                  {"baseline", comparison.arms[comparison.baseline].name},
+                  {"arms", arms},
+                  {"seeds", comparison.seeds},
+                  {"metrics", metrics},
+                  {"verdicts", found},
+                  {"exclusions", exclusions},
+                  {"warnings", comparison.warnings}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace stope::report
