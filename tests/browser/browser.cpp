@@ -128,10 +128,12 @@ WindowPoint Browser::middle_of(const std::string& selector) {
 }
 
 void Browser::mouse(const char* type, WindowPoint at, int buttons) {
+  // A move with the button down is a drag only if it says so in both fields.
+  const bool hovers = std::string(type) == "mouseMoved" && buttons == 0;
   call("Input.dispatchMouseEvent", {{"type", type},
                                     {"x", at.x},
                                     {"y", at.y},
-                                    {"button", std::string(type) == "mouseMoved" ? "none" : "left"},
+                                    {"button", hovers ? "none" : "left"},
                                     {"buttons", buttons},
                                     {"clickCount", 1}});
 }
