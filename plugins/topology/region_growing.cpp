@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -55,6 +55,8 @@ class RegionGrowing final
                "Largest area of a merged region.")
         .param("merge_obstacle_ratio", &Params::merge_obstacle_ratio, at_least(0.0),
                "Most unqualified points in a merged region's hull for each qualified one.")
+        .param("min_region_area", &Params::min_region_area, "m^2", at_least(0.0),
+               "Parts of free space that are smaller are left out, but never the largest.")
         .param("coverage", &Params::coverage, between(0.0, 1.0),
                "mode: paper stops drawing growth points when this share of free space is covered.");
   }
@@ -63,15 +65,30 @@ class RegionGrowing final
                                          const Optional<Trajectory>& trajectory,
                                          Context& context) const {
     const auto checkpoint = [&] { context.stop_if_cancelled(); };
-    auto ground = std::make_unique<Ground>(grid, params, checkpoint);
-    const bool follows = grid.changed && last_ == grid.changed->since;
-    if (!follows) memory_ = {};
+    const bool follows = ground_ && grid.changed && last_ == grid.changed->since;
     last_.reset();
-    std::vector<CellIndex> visited = visited_cells(*ground, trajectory, context);
-    RegionsAndRoads result =
-        segment_by_growth(std::move(ground), std::move(visited), growing(),
-                          roads_rule(params, params), context.random(), checkpoint, &memory_);
-    last_ = context.index();
+    std::optional<GroundChange> change;
+    if (follows) change.emplace(ground_->width(), ground_->height());
+    const auto updated = [&] {
+      return follows && ground_->update(grid,
+                                        {grid.changed->column, grid.changed->row,
+                                         grid.changed->width, grid.changed->height},
+                                        *change, checkpoint);
+    };
+    if (!updated()) {
+      change.reset();
+      ground_.emplace(grid, params, checkpoint);
+    }
+    std::vector<CellIndex> visited = visited_cells(*ground_, trajectory, context);
+    RegionsAndRoads result = segment_by_growth(
+        *ground_, std::move(visited), growing(), roads_rule(params, params), context.random(),
+        checkpoint, grid.changed ? &memory_ : nullptr, change ? &*change : nullptr);
+    if (grid.changed) {
+      last_ = context.index();
+    } else {  // a map that does not tell what changed is not worth the memory
+      ground_.reset();
+      memory_ = {};
+    }
     report_regions(result, params, context);
     return {std::move(result.roads), std::move(result.map)};
   }
@@ -101,6 +118,7 @@ class RegionGrowing final
   }
 
   // What the item before left, and its index; none if it failed.
+  mutable std::optional<Ground> ground_;
   mutable GrowthMemory memory_;
   mutable std::optional<std::uint64_t> last_;
 };

@@ -1,9 +1,8 @@
-#include <memory>
-#include <string>
+#include <optional>
 #include <tuple>
 
-#include "plugins/topology/regions/clearance_basins.hpp"
 #include "plugins/topology/regions/describe_regions.hpp"
+#include "plugins/topology/regions/room_divider.hpp"
 #include "stope/stope.hpp"
 
 namespace stope::topology {
@@ -12,10 +11,7 @@ namespace stope::topology {
 class VoronoiRegions final
     : public Map<Outputs<RoadGraph, RegionMap>(OccupancyGrid, Optional<Trajectory>)> {
  public:
-  struct Params : ExtractionParams, NetworkParams {
-    double door_ratio = 0.93;
-    double similar_ratio = 0.8;
-    double min_region_area = 50.0;
+  struct Params : ExtractionParams, NetworkParams, RoomDivider::Rule {
   } params;
 
   static void describe(About<VoronoiRegions>& about) {
@@ -30,7 +26,8 @@ class VoronoiRegions final
             "A door is a place of least clearance along the Voronoi diagram, at most door_ratio of "
             "the clearance on both sides. For rooms give min_region_area 1 m^2, min_clearance 0.2 "
             "m, min_obstacle_area 1 m^2. The trajectory is not looked at; it is there so that "
-            "region_growing can stand in.")
+            "region_growing can stand in. Where `changed` says that only a window differs from "
+            "the grid before, only what that can reach is computed, with the same result.")
         .ports("grid", "trajectory", "roads", "regions");
     describe_extraction(about);
     describe_network(about);
@@ -39,24 +36,32 @@ class VoronoiRegions final
                "Widest door, as a share of the width of the narrower of the two regions it joins.")
         .param("similar_ratio", &Params::similar_ratio, between(0.0, 1.0),
                "… and as a share of the geometric mean of both: a corridor's pieces stay together.")
-        .param("min_region_area", &Params::min_region_area, "m^2", at_least(0.0),
-               "Smaller regions join the neighbour they are most open to.");
+        .param(
+            "min_region_area", &Params::min_region_area, "m^2", at_least(0.0),
+            "Smaller regions join the neighbour they are most open to; one that has none is left "
+            "out, but never the largest.");
   }
 
   std::tuple<RoadGraph, RegionMap> apply(const OccupancyGrid& grid, const Optional<Trajectory>&,
                                          Context& context) const {
     const auto checkpoint = [&] { context.stop_if_cancelled(); };
-    const Ground ground(grid, params, checkpoint);
-    const double cell = grid.frame.resolution * grid.frame.resolution;
-    std::int32_t count = 0;
-    const RegionCells regions = divide_at_doors(
-        ground, {params.door_ratio, params.similar_ratio, params.min_region_area / cell}, count,
-        checkpoint);
-    RegionsAndRoads result =
-        finish_regions(ground, regions, count, roads_rule(params, params), checkpoint);
+    if (!divider_) divider_.emplace(params, params, roads_rule(params, params));
+    const bool follows = grid.changed && last_ == grid.changed->since;
+    last_.reset();
+    // Single maps do not pay for the memory that a stream of changing ones is worth.
+    RegionsAndRoads result = follows ? divider_->update(grid,
+                                                        {grid.changed->column, grid.changed->row,
+                                                         grid.changed->width, grid.changed->height},
+                                                        checkpoint)
+                                     : divider_->full(grid, grid.changed.has_value(), checkpoint);
+    if (grid.changed) last_ = context.index();
     report_regions(result, params, context);
     return {std::move(result.roads), std::move(result.map)};
   }
+
+ private:
+  mutable std::optional<RoomDivider> divider_;
+  mutable std::optional<std::uint64_t> last_;  ///< index of the item it knows; none if that failed
 };
 
 }  // namespace stope::topology

@@ -2,20 +2,19 @@
 
 #include <vector>
 
-#include "plugins/topology/regions/ground.hpp"
+#include "plugins/topology/regions/region_set.hpp"
 
 namespace stope::topology {
 
-/// Where two regions touch.
-struct Border {
-  std::int32_t first = 0, second = 0;         ///< regions, the lower first
-  std::int64_t steps = 0;                     ///< pairs of neighbouring cells across it
-  CellIndex first_door = 0, second_door = 0;  ///< the pair with the most clearance
-  std::int32_t squared = 0;                   ///< squared clearance there, the smaller of the two
-};
+/// Where two regions touch, by their numbers, the lower first; `low` and `high` are its clearest
+/// cells.
+using Border = Contact;
 
-/// The borders of all regions, in increasing order. Only free cells touch, 8-connected.
-std::vector<Border> find_borders(const Ground& ground, const RegionCells& regions,
-                                 const Checkpoint& checkpoint);
+/// The contacts of all tiles, in their order.
+std::vector<Contact> all_contacts(const TileParts& tiles);
+
+/// The borders between regions, by their numbers in increasing order. Only free cells touch,
+/// 8-connected.
+std::vector<Border> find_borders(const std::vector<Contact>& contacts, const RegionSet& set);
 
 }  // namespace stope::topology

@@ -45,6 +45,13 @@ inline void report_regions(const RegionsAndRoads& result, const ExtractionParams
   const std::size_t count = result.map.regions.size();
   context.info(fmt::format("{} {} cover {:.4f} of the free cells", count,
                            count == 1 ? "region" : "regions", result.covered));
+  if (result.dropped > 0)
+    context.warn(fmt::format(
+        "{} of free space, {} cells together, {} left out as too small for a region of its own: "
+        "no way leads there, so it is mostly noise of the map; lower min_region_area to keep {}",
+        result.dropped == 1 ? "1 part" : fmt::format("{} parts", result.dropped),
+        result.dropped_cells, result.dropped == 1 ? "is" : "are",
+        result.dropped == 1 ? "it" : "them"));
   if (result.pieces > 1)
     context.warn(fmt::format(
         "the regions fall into {} parts that do not touch, because free space does: each part has "

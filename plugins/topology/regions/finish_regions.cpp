@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "plugins/topology/disjoint_sets.hpp"
+#include "plugins/topology/for_each_band.hpp"
 
 namespace stope::topology {
 namespace {
@@ -15,19 +16,23 @@ namespace {
 /// bend's centre lies beside it or at its wall, where no road can start.
 class NearestClearCell {
  public:
-  NearestClearCell(const Ground& ground, const RegionCells& regions, std::int32_t count)
-      : ground_(ground), regions_(regions), best_(static_cast<std::size_t>(count) + 1, 0) {
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-      const auto cell = static_cast<CellIndex>(i);
-      auto& best = best_[static_cast<std::size_t>(regions[cell])];
-      best = std::max(best, ground.squared(cell));
-    }
+  NearestClearCell(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                   const RegionSet& set, std::int32_t region,
+                   const std::vector<std::int32_t>& tiles)
+      : ground_(ground), names_(names), set_(set), region_(region) {
+    const TileSet geometry(ground.width(), ground.height());
+    for (const std::int32_t tile : tiles)
+      geometry.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
+        for (CellIndex cell = first; cell < first + count; ++cell)
+          if (ground.squared(cell) > best_ && set.of(names[cell]) == region)
+            best_ = ground.squared(cell);
+      });
   }
 
-  ShapePoint find(const ShapePoint& point, std::int32_t region, const RegionShape& shape) const {
+  ShapePoint find(const ShapePoint& point, const RegionShape& shape) const {
     const auto column = static_cast<std::int32_t>(std::lround(point.x));
     const auto row = static_cast<std::int32_t>(std::lround(point.y));
-    if (serves(column, row, region)) return point;
+    if (serves(column, row)) return point;
     std::int32_t left = shape.hull.front().x, right = left, bottom = shape.hull.front().y,
                  top = bottom;
     for (const HullPoint& corner : shape.hull) {
@@ -41,7 +46,7 @@ class NearestClearCell {
     for (std::int32_t y = bottom; y <= top; ++y) {
       for (std::int32_t x = left; x <= right; ++x) {
         const double off = (x - point.x) * (x - point.x) + (y - point.y) * (y - point.y);
-        if (off >= least || !serves(x, y, region)) continue;
+        if (off >= least || !serves(x, y)) continue;
         least = off;
         nearest = {static_cast<double>(x), static_cast<double>(y)};
       }
@@ -50,15 +55,17 @@ class NearestClearCell {
   }
 
  private:
-  bool serves(std::int32_t column, std::int32_t row, std::int32_t region) const {
+  bool serves(std::int32_t column, std::int32_t row) const {
     if (column < 0 || row < 0 || column >= ground_.width() || row >= ground_.height()) return false;
     const CellIndex cell = ground_.index(column, row);
-    return regions_[cell] == region && ground_.free(cell) &&
-           ground_.squared(cell) >= best_[static_cast<std::size_t>(region)] / 4;
+    return set_.of(names_[cell]) == region_ && ground_.free(cell) &&
+           ground_.squared(cell) >= best_ / 4;
   }
   const Ground& ground_;
-  const RegionCells& regions_;
-  std::vector<std::int32_t> best_;  ///< by region: its largest squared clearance
+  const PaddedGrid<std::int32_t>& names_;
+  const RegionSet& set_;
+  std::int32_t region_;
+  std::int32_t best_ = 0;  ///< the region's largest squared clearance
 };
 
 std::vector<std::size_t> order_of(std::size_t count) {
@@ -67,18 +74,84 @@ std::vector<std::size_t> order_of(std::size_t count) {
   return order;
 }
 
-std::vector<Region> measured(const Ground& ground, const std::vector<RegionShape>& shapes,
-                             const std::vector<ShapePoint>& centres) {
-  const GridFrame& frame = ground.frame();
+std::vector<Region> measured(const GridFrame& frame, const std::vector<RegionMemo::Known>& known) {
   std::vector<Region> regions;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const Vector2 place = frame.to_map(centres[i].x + 0.5, centres[i].y + 0.5);
-    const Axes axes = shapes[i].axes();
-    regions.push_back({0, place.x(), place.y(), axes.major * frame.resolution,
-                       axes.minor * frame.resolution, axes.yaw + frame.origin.yaw,
-                       static_cast<double>(shapes[i].cells) * frame.resolution * frame.resolution});
+  for (const RegionMemo::Known& region : known) {
+    const Vector2 place = frame.to_map(region.centre.x + 0.5, region.centre.y + 0.5);
+    regions.push_back({0, place.x(), place.y(), region.axes.major * frame.resolution,
+                       region.axes.minor * frame.resolution, region.axes.yaw + frame.origin.yaw,
+                       static_cast<double>(region.cells) * frame.resolution * frame.resolution});
   }
   return regions;
+}
+
+/// Leaves out the parts of free space that are too small, all but the largest one.
+void drop_small(RegionSet& set, const std::vector<Border>& borders,
+                const std::vector<std::int64_t>& free_cells, double least_area,
+                RegionsAndRoads& result) {
+  DisjointSets pieces(free_cells.size());
+  for (const Border& border : borders) pieces.join(border.a - 1, border.b - 1);
+  std::vector<std::int64_t> area(free_cells.size(), 0);
+  const auto piece_of = [&](std::size_t region) {
+    return static_cast<std::size_t>(pieces.find(static_cast<std::int32_t>(region)));
+  };
+  for (std::size_t i = 0; i < area.size(); ++i) area[piece_of(i)] += free_cells[i];
+  const auto largest =
+      static_cast<std::size_t>(std::max_element(area.begin(), area.end()) - area.begin());
+  std::vector<std::int32_t> number(area.size() + 1, 0);
+  std::int32_t count = 0;
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const std::size_t piece = piece_of(i);
+    if (piece == largest || static_cast<double>(area[piece]) >= least_area) {
+      number[i + 1] = ++count;
+    } else if (piece == i) {
+      ++result.dropped;
+      result.dropped_cells += area[piece];
+    }
+  }
+  if (count == set.count) return;
+  for (std::int32_t& region : set.of_name) region = number[static_cast<std::size_t>(region)];
+  set.count = count;
+}
+
+/// What is known of the regions: from the memo if all about a region is the same, else measured.
+std::vector<RegionMemo::Known> know(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                                    const RegionSet& set, RegionParts& parts, RegionMemo& memo,
+                                    const TileSet* changed, std::int32_t reach,
+                                    std::vector<std::uint8_t>& same, const Checkpoint& checkpoint) {
+  std::vector<RegionMemo::Known> known(static_cast<std::size_t>(set.count));
+  TileSet near(ground.width(), ground.height());
+  if (changed)
+    for (const std::int32_t tile : changed->list())
+      changed->for_each_row(tile, [&](CellIndex first, std::int32_t count) {
+        near.add(ground.column(first) - reach, ground.row(first) - reach,
+                 ground.column(first) + count + reach, ground.row(first) + reach);
+      });
+  memo.reused = 0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const auto found = memo.regions.find(parts.members[i].front());
+    same[i] = changed && found != memo.regions.end() && found->second.members == parts.members[i] &&
+              std::none_of(parts.tiles[i].begin(), parts.tiles[i].end(),
+                           [&](std::int32_t tile) { return near.has(tile); });
+    if (same[i]) {
+      known[i] = std::move(found->second);
+      ++memo.reused;
+    } else {
+      known[i].members = std::move(parts.members[i]);
+    }
+  }
+  for_each_band(set.count, checkpoint, [&] {
+    return [&](std::int32_t band) {
+      const auto i = static_cast<std::size_t>(band);
+      if (same[i]) return;
+      const RegionShape shape = shape_of(ground, names, set, band + 1, parts.tiles[i]);
+      known[i].cells = shape.cells;
+      known[i].axes = shape.axes();
+      known[i].centre = NearestClearCell(ground, names, set, band + 1, parts.tiles[i])
+                            .find(centre_of_gravity(shape.hull, shape.hull.front()), shape);
+    };
+  });
+  return known;
 }
 
 /// Gives each region the id of its node, which the graph has in the order of x and y.
@@ -90,21 +163,66 @@ void identify(std::vector<Region>& regions, const RoadGraph& roads) {
   for (std::size_t i = 0; i < order.size(); ++i) regions[order[i]].id = roads.nodes[i].id;
 }
 
+void write_labels(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                  const std::vector<std::int32_t>& label_of_name, LabelGrid& labels,
+                  const Checkpoint& checkpoint) {
+  constexpr std::int32_t kBandRows = 64;
+  labels.frame = ground.frame();
+  labels.cells.resize(ground.frame().size());
+  for_each_band((ground.height() + kBandRows - 1) / kBandRows, checkpoint, [&] {
+    return [&](std::int32_t band) {
+      for (std::int32_t row = band * kBandRows;
+           row < std::min(ground.height(), (band + 1) * kBandRows); ++row) {
+        const std::int32_t* from = names.padded_row(row) + 1;
+        std::int32_t* to = labels.cells.data() + ground.frame().place({0, row});
+        for (std::int32_t column = 0; column < ground.width(); ++column)
+          to[column] = label_of_name[static_cast<std::size_t>(from[column])];
+      }
+    };
+  });
+}
+
+void remember(std::vector<RegionMemo::Known> known, std::vector<RegionRoad> roads,
+              const std::vector<Border>& borders, RegionMemo& memo) {
+  const auto key = [&](std::int32_t region) {
+    return known[static_cast<std::size_t>(region) - 1].members.front();
+  };
+  memo.roads.clear();
+  for (std::size_t i = 0; i < borders.size(); ++i)
+    memo.roads[std::minmax({key(borders[i].a), key(borders[i].b)})] = std::move(roads[i]);
+  memo.regions.clear();
+  for (RegionMemo::Known& region : known) {
+    const CellIndex lowest = region.members.front();
+    memo.regions[lowest] = std::move(region);
+  }
+}
+
 }  // namespace
 
-RegionsAndRoads finish_regions(const Ground& ground, const RegionCells& cells, std::int32_t count,
-                               const RegionRoadsRule& rule, const Checkpoint& checkpoint) {
-  const std::vector<RegionShape> shapes = shapes_of(ground, cells, count, checkpoint);
-  const std::vector<Border> borders = find_borders(ground, cells, checkpoint);
-  const NearestClearCell nearest(ground, cells, count);
-  std::vector<ShapePoint> centres;
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    centres.push_back(nearest.find(centre_of_gravity(shapes[i].hull, shapes[i].hull.front()),
-                                   static_cast<std::int32_t>(i) + 1, shapes[i]));
+RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                               const TileParts& tiles, const std::vector<Contact>& contacts,
+                               RegionSet set, double least_area, const RegionRoadsRule& rule,
+                               const Checkpoint& checkpoint, RegionMemo* memo,
+                               const TileSet* changed) {
   RegionsAndRoads result;
-  result.roads = region_roads(ground, cells, centres, borders, rule, checkpoint);
+  RegionMemo fresh;
+  RegionMemo& before = memo ? *memo : fresh;
+  RegionParts parts = parts_of_regions(tiles, set);
+  std::vector<Border> borders = find_borders(contacts, set);
+  drop_small(set, borders, parts.free_cells, least_area, result);
+  if (result.dropped > 0) {
+    parts = parts_of_regions(tiles, set);
+    borders = find_borders(contacts, set);
+  }
   result.neighbours = borders.size();
-  std::vector<Region> regions = measured(ground, shapes, centres);
+  std::vector<std::uint8_t> same(static_cast<std::size_t>(set.count), 0);
+  std::vector<RegionMemo::Known> known =
+      know(ground, names, set, parts, before, changed, rule.reach(ground.frame().resolution), same,
+           checkpoint);
+  std::vector<RegionRoad> roads =
+      region_roads(ground, names, set, borders, known, same, rule, before, checkpoint);
+  result.roads = graph_of_roads(ground.frame(), known, borders, roads, rule);
+  std::vector<Region> regions = measured(ground.frame(), known);
   identify(regions, result.roads);
   std::vector<std::size_t> order = order_of(regions.size());
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -122,9 +240,9 @@ RegionsAndRoads finish_regions(const Ground& ground, const RegionCells& cells, s
   result.pieces = regions.size();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const Border& border : borders) {
-    if (pieces.join(border.first - 1, border.second - 1)) --result.pieces;
-    const auto a = static_cast<std::uint32_t>(label[static_cast<std::size_t>(border.first)] - 1);
-    const auto b = static_cast<std::uint32_t>(label[static_cast<std::size_t>(border.second)] - 1);
+    if (pieces.join(border.a - 1, border.b - 1)) --result.pieces;
+    const auto a = static_cast<std::uint32_t>(label[static_cast<std::size_t>(border.a)] - 1);
+    const auto b = static_cast<std::uint32_t>(label[static_cast<std::size_t>(border.b)] - 1);
     pairs.emplace_back(std::min(a, b), std::max(a, b));
   }
   std::sort(pairs.begin(), pairs.end());
@@ -132,19 +250,16 @@ RegionsAndRoads finish_regions(const Ground& ground, const RegionCells& cells, s
     result.map.adjacency.push_back(a);
     result.map.adjacency.push_back(b);
   }
-  result.map.labels.frame = ground.frame();
-  result.map.labels.cells.reserve(ground.frame().size());
-  std::size_t covered = 0;
-  for (std::int32_t row = 0; row < ground.height(); ++row) {
-    for (std::int32_t column = 0; column < ground.width(); ++column) {
-      const CellIndex cell = ground.index(column, row);
-      covered += cells[cell] != 0 && ground.free(cell) ? 1 : 0;
-      result.map.labels.cells.push_back(label[static_cast<std::size_t>(cells[cell])]);
-    }
-  }
+  std::vector<std::int32_t> label_of_name;
+  for (const std::int32_t region : set.of_name)
+    label_of_name.push_back(label[static_cast<std::size_t>(region)]);
+  write_labels(ground, names, label_of_name, result.map.labels, checkpoint);
+  const std::int64_t covered =
+      std::accumulate(parts.free_cells.begin(), parts.free_cells.end(), std::int64_t{0});
   result.covered = ground.free_cells() == 0
                        ? 0
                        : static_cast<double>(covered) / static_cast<double>(ground.free_cells());
+  if (memo) remember(std::move(known), std::move(roads), borders, before);
   return result;
 }
 

@@ -22,22 +22,23 @@ ShapePoint centre(const RegionShape& shape) {
 
 class Merging {
  public:
-  Merging(const Ground& ground, const RegionCells& regions, std::int32_t count,
-          const MergeRule& rule, const Checkpoint& checkpoint)
+  Merging(const Ground& ground, const RegionCells& regions, const TileParts& tiles,
+          const std::vector<Contact>& contacts, const RegionSet& set, const MergeRule& rule,
+          const Checkpoint& checkpoint)
       : ground_(ground),
         regions_(regions),
         rule_(rule),
-        shapes_(shapes_of(ground, regions, count, checkpoint)),
-        borders_(static_cast<std::size_t>(count)),
-        now_(static_cast<std::size_t>(count) + 1) {
+        shapes_(shapes_of(ground, regions, set, parts_of_regions(tiles, set), checkpoint)),
+        borders_(static_cast<std::size_t>(set.count)),
+        now_(static_cast<std::size_t>(set.count) + 1) {
     for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = static_cast<std::int32_t>(i);
-    std::vector<Border> borders = find_borders(ground, regions, checkpoint);
-    if (rule.as_printed) borders = tree_of(borders, count);
+    std::vector<Border> borders = find_borders(contacts, set);
+    if (rule.as_printed) borders = tree_of(borders, set.count);
     for (const Border& border : borders) {
-      borders_[place(border.first)][border.second] = border.steps;
-      borders_[place(border.second)][border.first] = border.steps;
+      borders_[place(border.a)][border.b] = border.steps;
+      borders_[place(border.b)][border.a] = border.steps;
     }
-    for (std::int32_t region = 1; region <= count; ++region) offer(region);
+    for (std::int32_t region = 1; region <= set.count; ++region) offer(region);
   }
 
   void run(const Checkpoint& checkpoint) {
@@ -66,8 +67,8 @@ class Merging {
     std::vector<Link> links;
     for (const Border& border : borders)
       links.push_back(
-          {border.first - 1, border.second - 1,
-           distance(centre(shapes_[place(border.first)]), centre(shapes_[place(border.second)]))});
+          {border.a - 1, border.b - 1,
+           distance(centre(shapes_[place(border.a)]), centre(shapes_[place(border.b)]))});
     std::vector<Border> tree;
     for (const std::size_t i : spanning_tree(count, links)) tree.push_back(borders[i]);
     return tree;
@@ -168,20 +169,18 @@ class Merging {
 
 }  // namespace
 
-std::int32_t merge_regions(const Ground& ground, RegionCells& regions, std::int32_t count,
-                           const MergeRule& rule, const Checkpoint& checkpoint) {
-  Merging merging(ground, regions, count, rule, checkpoint);
+void merge_regions(const Ground& ground, const RegionCells& regions, const TileParts& tiles,
+                   const std::vector<Contact>& contacts, RegionSet& set, const MergeRule& rule,
+                   const Checkpoint& checkpoint) {
+  Merging merging(ground, regions, tiles, contacts, set, rule, checkpoint);
   merging.run(checkpoint);
   const std::vector<std::int32_t>& now = merging.now();
   std::vector<std::int32_t> number(now.size(), 0);
-  std::int32_t next = 0;
+  set.count = 0;
   for (std::size_t i = 1; i < now.size(); ++i)
-    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++next;
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    std::int32_t& region = regions.data()[i];
+    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++set.count;
+  for (std::int32_t& region : set.of_name)
     region = number[static_cast<std::size_t>(now[static_cast<std::size_t>(region)])];
-  }
-  return next;
 }
 
 }  // namespace stope::topology

@@ -16,8 +16,10 @@ struct MergeRule {
 };
 
 /// Merges regions by Algorithm 2, the smallest first, each with the neighbour it has the longest
-/// border with that the rule allows. Renumbers `regions` 1 … count without gaps and gives count.
-std::int32_t merge_regions(const Ground& ground, RegionCells& regions, std::int32_t count,
-                           const MergeRule& rule, const Checkpoint& checkpoint);
+/// border with that the rule allows. `regions` are the cells' names, and the set has one region for
+/// each, of the same number; `contacts` are those of all tiles.
+void merge_regions(const Ground& ground, const RegionCells& regions, const TileParts& tiles,
+                   const std::vector<Contact>& contacts, RegionSet& set, const MergeRule& rule,
+                   const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

@@ -5,9 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "plugins/topology/for_each_band.hpp"
 #include "plugins/topology/regions/network.hpp"
-#include "plugins/topology/regions/ways_to_doors.hpp"
-#include "plugins/topology/simplify_line.hpp"
 
 namespace stope::topology {
 namespace {
@@ -58,15 +57,10 @@ std::vector<LinePoint> simplified(const std::vector<LinePoint>& line, double tol
   return result;
 }
 
-struct Road {
-  std::vector<LinePoint> line;
-  double narrowest = 0, median = 0;  ///< distance in cells
-};
-
-Road road_along(const Ground& ground, const std::vector<LinePoint>& cells, double tolerance) {
+RegionRoad road_along(const Ground& ground, const std::vector<LinePoint>& cells, double tolerance) {
   std::vector<LinePoint> smooth = smooth_line(cells, kSmoothingReach, kSmoothingShare);
   for (LinePoint& point : smooth) point.distance = ground.distance_at(point.x, point.y);
-  Road road;
+  RegionRoad road;
   road.line = simplified(smooth, std::max(tolerance, kRasterSteps));
   if (!stays_free(ground, road.line)) {
     smooth = cells;
@@ -80,43 +74,12 @@ Road road_along(const Ground& ground, const std::vector<LinePoint>& cells, doubl
   return road;
 }
 
-/// Roads before they are chosen among, beside the borders they cross.
-std::vector<Road> all_roads(const Ground& ground, const RegionCells& regions,
-                            const std::vector<ShapePoint>& centres,
-                            const std::vector<Border>& borders, double tolerance,
-                            const Checkpoint& checkpoint) {
-  std::vector<std::vector<CellIndex>> doors(centres.size());
-  for (const Border& border : borders) {
-    doors[static_cast<std::size_t>(border.first) - 1].push_back(border.first_door);
-    doors[static_cast<std::size_t>(border.second) - 1].push_back(border.second_door);
-  }
-  WaysToDoors finder(ground, regions);
-  std::vector<std::vector<std::vector<CellIndex>>> ways;
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    if (i % 64 == 0) checkpoint();
-    ways.push_back(finder.find(cell_of(ground, centres[i]), doors[i]));
-  }
-  std::vector<std::size_t> used(centres.size(), 0);
-  std::vector<Road> roads;
-  for (const Border& border : borders) {
-    if (roads.size() % 64 == 0) checkpoint();
-    const auto first = static_cast<std::size_t>(border.first) - 1;
-    const auto second = static_cast<std::size_t>(border.second) - 1;
-    const auto& out = ways[first][used[first]++];
-    const auto& in = ways[second][used[second]++];
-    std::vector<LinePoint> cells;
-    for (auto cell = out.rbegin(); cell != out.rend(); ++cell)
-      cells.push_back(at_cell(ground, *cell));
-    for (const CellIndex cell : in) cells.push_back(at_cell(ground, cell));
-    const auto centre_at = [&](LinePoint& point, const ShapePoint& centre) {
-      point = {centre.x + 0.5, centre.y + 0.5, 0};
-      point.distance = ground.distance_at(point.x, point.y);
-    };
-    centre_at(cells.front(), centres[first]);
-    centre_at(cells.back(), centres[second]);
-    roads.push_back(road_along(ground, cells, tolerance));
-  }
-  return roads;
+std::size_t place(std::int32_t region) { return static_cast<std::size_t>(region) - 1; }
+
+/// The cell of a border's clearest pair that lies in the region.
+CellIndex door_of(const Border& border, std::int32_t region, const RegionSet& set,
+                  const PaddedGrid<std::int32_t>& names) {
+  return set.of(names[border.low]) == region ? border.low : border.high;
 }
 
 std::vector<std::size_t> chosen(std::size_t count, const std::vector<Link>& links,
@@ -132,17 +95,87 @@ std::vector<std::size_t> chosen(std::size_t count, const std::vector<Link>& link
 
 }  // namespace
 
-RoadGraph region_roads(const Ground& ground, const RegionCells& regions,
-                       const std::vector<ShapePoint>& centres, const std::vector<Border>& borders,
-                       const RegionRoadsRule& rule, const Checkpoint& checkpoint) {
-  const GridFrame& frame = ground.frame();
-  RoadGraph graph;
-  for (const ShapePoint& centre : centres) {
-    const Vector2 place = frame.to_map(centre.x + 0.5, centre.y + 0.5);
-    graph.nodes.push_back({0, place.x(), place.y(), kNoElevation});
+std::int32_t RegionRoadsRule::reach(double resolution) const {
+  return static_cast<std::int32_t>(
+      std::min(1e6, std::ceil(std::max(tolerance / resolution, kRasterSteps) + kSmoothingReach)) +
+      2);
+}
+
+std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                                     const RegionSet& set, const std::vector<Border>& borders,
+                                     std::vector<RegionMemo::Known>& known,
+                                     std::vector<std::uint8_t>& same, const RegionRoadsRule& rule,
+                                     RegionMemo& before, const Checkpoint& checkpoint) {
+  const std::size_t count = known.size();
+  std::vector<std::vector<CellIndex>> doors(count);
+  struct Use {
+    std::size_t first = 0, second = 0;  ///< regions; the one with the lower key first
+    std::size_t out = 0, in = 0;        ///< of their ways
+  };
+  std::vector<Use> uses;
+  for (const Border& border : borders) {
+    const auto key = [&](std::int32_t region) { return known[place(region)].members.front(); };
+    const bool swapped = key(border.b) < key(border.a);
+    const std::int32_t first = swapped ? border.b : border.a,
+                       second = swapped ? border.a : border.b;
+    uses.push_back(
+        {place(first), place(second), doors[place(first)].size(), doors[place(second)].size()});
+    doors[place(first)].push_back(door_of(border, first, set, names));
+    doors[place(second)].push_back(door_of(border, second, set, names));
   }
-  std::vector<Road> roads =
-      all_roads(ground, regions, centres, borders, rule.tolerance / frame.resolution, checkpoint);
+  if (!before.search)
+    before.search = std::make_unique<WaySearchCells>(ground.width(), ground.height());
+  for_each_band(static_cast<std::int32_t>(count), checkpoint, [&] {
+    return [&, finder = std::make_shared<WaysToDoors>(ground, names, set, *before.search)](
+               std::int32_t i) {
+      const auto region = static_cast<std::size_t>(i);
+      RegionMemo::Known& now = known[region];
+      if (same[region] && now.doors == doors[region]) return;
+      same[region] = 0;
+      now.doors = doors[region];
+      now.ways = finder->find(cell_of(ground, now.centre), now.doors);
+    };
+  });
+  std::vector<RegionRoad> roads(borders.size());
+  const double tolerance = rule.tolerance / ground.frame().resolution;
+  for_each_band(static_cast<std::int32_t>(borders.size()), checkpoint, [&] {
+    return [&](std::int32_t i) {
+      const Use& use = uses[static_cast<std::size_t>(i)];
+      RegionRoad& road = roads[static_cast<std::size_t>(i)];
+      const RegionMemo::Known &first = known[use.first], &second = known[use.second];
+      if (same[use.first] && same[use.second]) {
+        const auto found = before.roads.find({first.members.front(), second.members.front()});
+        if (found != before.roads.end()) {
+          road = found->second;
+          return;
+        }
+      }
+      const auto& out = first.ways[use.out];
+      const auto& in = second.ways[use.in];
+      std::vector<LinePoint> cells;
+      for (auto cell = out.rbegin(); cell != out.rend(); ++cell)
+        cells.push_back(at_cell(ground, *cell));
+      for (const CellIndex cell : in) cells.push_back(at_cell(ground, cell));
+      const auto centre_at = [&](LinePoint& point, const ShapePoint& centre) {
+        point = {centre.x + 0.5, centre.y + 0.5, 0};
+        point.distance = ground.distance_at(point.x, point.y);
+      };
+      centre_at(cells.front(), first.centre);
+      centre_at(cells.back(), second.centre);
+      road = road_along(ground, cells, tolerance);
+    };
+  });
+  return roads;
+}
+
+RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<RegionMemo::Known>& known,
+                         const std::vector<Border>& borders, const std::vector<RegionRoad>& roads,
+                         const RegionRoadsRule& rule) {
+  RoadGraph graph;
+  for (const RegionMemo::Known& region : known) {
+    const Vector2 at = frame.to_map(region.centre.x + 0.5, region.centre.y + 0.5);
+    graph.nodes.push_back({0, at.x(), at.y(), kNoElevation});
+  }
   std::vector<Link> links;
   std::vector<std::size_t> wide;
   for (std::size_t i = 0; i < roads.size(); ++i) {
@@ -150,20 +183,23 @@ RoadGraph region_roads(const Ground& ground, const RegionCells& regions,
     double length = 0;
     for (std::size_t k = 1; k < roads[i].line.size(); ++k)
       length += distance_between(roads[i].line[k - 1], roads[i].line[k]);
-    links.push_back({borders[i].first - 1, borders[i].second - 1, length});
+    links.push_back({borders[i].a - 1, borders[i].b - 1, length});
     wide.push_back(i);
   }
-  for (const std::size_t i : chosen(centres.size(), links, rule)) {
-    const Road& road = roads[wide[i]];
+  for (const std::size_t i : chosen(known.size(), links, rule)) {
+    const RegionRoad& road = roads[wide[i]];
+    auto from = static_cast<std::uint32_t>(links[i].from);
+    auto to = static_cast<std::uint32_t>(links[i].to);
+    if (known[to].members.front() < known[from].members.front()) std::swap(from, to);
     RoadEdge edge;
-    edge.from = static_cast<std::uint32_t>(links[i].from);
-    edge.to = static_cast<std::uint32_t>(links[i].to);
+    edge.from = from;
+    edge.to = to;
     edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
     edge.vertex_count = static_cast<std::uint32_t>(road.line.size());
     for (const LinePoint& point : road.line) {
-      const Vector2 place = frame.to_map(point.x, point.y);
-      graph.vertices.push_back({place.x(), place.y(), kNoElevation,
-                                std::max(0.0, point.distance - 0.5) * frame.resolution});
+      const Vector2 at = frame.to_map(point.x, point.y);
+      graph.vertices.push_back(
+          {at.x(), at.y(), kNoElevation, std::max(0.0, point.distance - 0.5) * frame.resolution});
     }
     edge.width = 2 * std::max(0.0, road.median - 0.5) * frame.resolution;
     graph.edges.push_back(edge);

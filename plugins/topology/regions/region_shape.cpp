@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "plugins/topology/for_each_band.hpp"
 
 namespace stope::topology {
 
@@ -54,31 +57,67 @@ ShapePoint centre_of_gravity(const std::vector<HullPoint>& polygon, const HullPo
   return mean;
 }
 
-std::vector<RegionShape> shapes_of(const Ground& ground, const RegionCells& regions,
-                                   std::int32_t count, const Checkpoint& checkpoint) {
-  std::vector<RegionShape> shapes(static_cast<std::size_t>(count));
-  for (std::int32_t row = 0; row < ground.height(); ++row) {
-    if (row % kRowsBetweenCheckpoints == 0) checkpoint();
-    for (std::int32_t column = 0; column < ground.width();) {
-      const std::int32_t region = regions[ground.index(column, row)];
-      const std::int32_t first = column;
-      while (column < ground.width() && regions[ground.index(column, row)] == region) ++column;
-      if (region == 0) continue;
-      RegionShape& shape = shapes[static_cast<std::size_t>(region) - 1];
-      const std::int64_t n = column - first, last = column - 1;
-      const std::int64_t sum = n * (first + last) / 2;
-      shape.cells += n;
-      shape.x += sum;
-      shape.y += n * row;
-      shape.xy += sum * row;
-      shape.yy += n * row * row;
-      const auto squares = [](std::int64_t k) { return k * (k + 1) * (2 * k + 1) / 6; };
-      shape.xx += squares(last) - squares(std::int64_t{first} - 1);
-      shape.hull.push_back({first, row});
-      if (last > first) shape.hull.push_back({static_cast<std::int32_t>(last), row});
-    }
+RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                     const RegionSet& set, std::int32_t region,
+                     const std::vector<std::int32_t>& tiles) {
+  const TileSet geometry(ground.width(), ground.height());
+  struct Extent {
+    std::int32_t left = INT32_MAX, right = -1;
+  };
+  // Tiles increase, so the first has the lowest rows.
+  std::int32_t bottom = ground.height(), top = -1;
+  for (const std::int32_t tile : tiles) {
+    geometry.for_each_row(tile, [&](CellIndex first, std::int32_t) {
+      bottom = std::min(bottom, ground.row(first));
+      top = std::max(top, ground.row(first));
+    });
   }
-  for (RegionShape& shape : shapes) shape.hull = convex_hull(std::move(shape.hull));
+  std::vector<Extent> extents(static_cast<std::size_t>(std::max(0, top - bottom + 1)));
+  RegionShape shape;
+  const auto add_run = [&](std::int64_t row, std::int64_t first, std::int64_t last) {
+    const std::int64_t n = last + 1 - first, sum = n * (first + last) / 2;
+    shape.cells += n;
+    shape.x += sum;
+    shape.y += n * row;
+    shape.xy += sum * row;
+    shape.yy += n * row * row;
+    const auto squares = [](std::int64_t k) { return k * (k + 1) * (2 * k + 1) / 6; };
+    shape.xx += squares(last) - squares(first - 1);
+    Extent& extent = extents[static_cast<std::size_t>(row - bottom)];
+    extent.left = std::min(extent.left, static_cast<std::int32_t>(first));
+    extent.right = std::max(extent.right, static_cast<std::int32_t>(last));
+  };
+  for (const std::int32_t tile : tiles) {
+    geometry.for_each_row(tile, [&](CellIndex begin, std::int32_t count) {
+      const std::int32_t row = ground.row(begin), column = ground.column(begin);
+      for (std::int32_t i = 0; i < count;) {
+        const std::int32_t name = names[begin + i], first = i;
+        while (i < count && names[begin + i] == name) ++i;
+        if (name != 0 && set.of(name) == region) add_run(row, column + first, column + i - 1);
+      }
+    });
+  }
+  std::vector<HullPoint> points;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    const auto row = bottom + static_cast<std::int32_t>(i);
+    if (extents[i].right < 0) continue;
+    points.push_back({extents[i].left, row});
+    if (extents[i].right > extents[i].left) points.push_back({extents[i].right, row});
+  }
+  shape.hull = convex_hull(std::move(points));
+  return shape;
+}
+
+std::vector<RegionShape> shapes_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                                   const RegionSet& set, const RegionParts& parts,
+                                   const Checkpoint& checkpoint) {
+  std::vector<RegionShape> shapes(static_cast<std::size_t>(set.count));
+  for_each_band(set.count, checkpoint, [&] {
+    return [&](std::int32_t i) {
+      const auto place = static_cast<std::size_t>(i);
+      shapes[place] = shape_of(ground, names, set, i + 1, parts.tiles[place]);
+    };
+  });
   return shapes;
 }
 

@@ -5,6 +5,7 @@
 
 #include "plugins/topology/regions/ground.hpp"
 #include "plugins/topology/regions/growing_hull.hpp"
+#include "plugins/topology/regions/region_set.hpp"
 
 namespace stope::topology {
 
@@ -34,8 +35,14 @@ struct RegionShape {
 /// side, weighted with their signed areas. A polygon without area gives the mean of its corners.
 ShapePoint centre_of_gravity(const std::vector<HullPoint>& polygon, const HullPoint& pivot);
 
-/// Shapes of the regions 1 … count. Place i holds region i + 1.
-std::vector<RegionShape> shapes_of(const Ground& ground, const RegionCells& regions,
-                                   std::int32_t count, const Checkpoint& checkpoint);
+/// The shape of one region, of which `tiles` are all tiles with cells.
+RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                     const RegionSet& set, std::int32_t region,
+                     const std::vector<std::int32_t>& tiles);
+
+/// Shapes of all regions, found side by side. Place i holds region i + 1.
+std::vector<RegionShape> shapes_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                                   const RegionSet& set, const RegionParts& parts,
+                                   const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "plugins/topology/regions/absorb_rest.hpp"
@@ -47,17 +48,13 @@ void check(const GrowingParams& params, const GridFrame& frame) {
       params.growth_radius, frame.resolution));
 }
 
-/// Where this ground differs from an earlier one for regions of at most `radius`.
-ChangedTiles difference(const Ground& now, const Ground& before, double radius) {
-  ChangedTiles changed(now.width(), now.height());
+/// Where a ground differs from an earlier one for regions of at most `radius`.
+ChangedTiles difference(const Ground& ground, const GroundChange& change, double radius) {
+  ChangedTiles changed(ground.width(), ground.height());
   const auto bound = static_cast<std::int32_t>(std::min(radius * radius + 1, 1e9));
-  for (std::int32_t row = 0; row < now.height(); ++row) {
-    for (std::int32_t column = 0; column < now.width(); ++column) {
-      const CellIndex cell = now.index(column, row);
-      if (std::min(bound, now.squared(cell)) != std::min(bound, before.squared(cell)))
-        changed.add(column, row, 2);
-    }
-  }
+  for (const auto& [cell, squared] : change.cells)
+    if (std::min(bound, ground.squared(cell)) != std::min(bound, squared))
+      changed.add(ground.column(cell), ground.row(cell), 2);
   return changed;
 }
 
@@ -81,20 +78,45 @@ std::vector<CellIndex> free_cells(const Ground& ground) {
 
 std::vector<GrownRegion> grow(const Ground& ground, const std::vector<CellIndex>& visited,
                               const GrowthRule& rule, const Checkpoint& checkpoint,
-                              GrowthMemory* memory) {
+                              GrowthMemory* memory, const GroundChange* change) {
   const std::vector<std::vector<GrowthPoint>> groups{
       points_at(ground, visited, rule.max_radius),
       middle_points(ground, rule.max_radius, checkpoint)};
-  if (memory) memory->reused = 0;
-  if (!memory || !memory->ground || memory->visited != visited ||
-      !(memory->ground->frame() == ground.frame()))
+  if (!memory || !change || memory->visited != visited)
     return grow_regions(ground, groups, rule, checkpoint);
-  EarlierGrowth earlier{std::move(memory->regions),
-                        difference(ground, *memory->ground, rule.max_radius)};
-  memory->ground.reset();  // a memory half used is none
+  EarlierGrowth earlier{std::move(memory->regions), difference(ground, *change, rule.max_radius)};
   auto grown = grow_regions(ground, groups, rule, checkpoint, &earlier);
   memory->reused = earlier.reused;
   return grown;
+}
+
+/// Each grown region by itself, known by the point it grew from.
+RegionSet set_of(const std::vector<GrownRegion>& grown) {
+  RegionSet set;
+  set.of_name.push_back(0);
+  set.key_of_name.push_back(0);
+  for (const GrownRegion& region : grown) {
+    set.of_name.push_back(++set.count);
+    set.key_of_name.push_back(region.point.cell);
+  }
+  return set;
+}
+
+/// Adds the tiles with cells that are in another region than before.
+void add_moved_cells(const Ground& ground, const RegionCells& now, const RegionSet& set,
+                     const RegionCells& before, const std::vector<CellIndex>& keys_before,
+                     TileSet& changed) {
+  for (const std::int32_t tile : all_tiles(ground)) {
+    if (changed.has(tile)) continue;
+    changed.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
+      for (CellIndex cell = first; cell < first + count; ++cell)
+        if (set.key_of_name[static_cast<std::size_t>(now[cell])] !=
+            keys_before[static_cast<std::size_t>(before[cell])]) {
+          changed.add(tile);
+          return;
+        }
+    });
+  }
 }
 
 }  // namespace
@@ -120,35 +142,59 @@ std::vector<CellIndex> cells_visited(const Ground& ground, const Trajectory& tra
   return cells;
 }
 
-RegionsAndRoads segment_by_growth(std::unique_ptr<Ground> ground, std::vector<CellIndex> visited,
+RegionsAndRoads segment_by_growth(const Ground& ground, std::vector<CellIndex> visited,
                                   const GrowingParams& params, const RegionRoadsRule& roads,
-                                  Random random, const Checkpoint& checkpoint,
-                                  GrowthMemory* memory) {
-  const GridFrame& frame = ground->frame();
+                                  Random random, const Checkpoint& checkpoint, GrowthMemory* memory,
+                                  const GroundChange* change) {
+  const GridFrame& frame = ground.frame();
   check(params, frame);
   const GrowthRule rule = growth_rule(params, frame);
   RegionRoadsRule roads_rule = roads;
-  RegionCells regions = without_regions(*ground);
+  RegionCells regions = without_regions(ground);
   std::vector<GrownRegion> grown;
-  std::int32_t count = 0;
+  RegionSet set;
+  if (memory) memory->reused = 0;
+  if (memory && (!change || !memory->names)) *memory = {}, change = nullptr;
+  std::vector<CellIndex> keys_before;
+  if (memory) keys_before = set_of(memory->regions).key_of_name;
   if (params.as_printed) {
     std::sort(visited.begin(), visited.end());
     visited.erase(std::unique(visited.begin(), visited.end()), visited.end());
-    regions = grow_as_printed(*ground, visited.empty() ? free_cells(*ground) : visited, rule,
+    std::int32_t count = 0;
+    regions = grow_as_printed(ground, visited.empty() ? free_cells(ground) : visited, rule,
                               params.coverage, params.second_radius / frame.resolution, random,
                               checkpoint, count);
+    for (std::int32_t name = 0; name <= count; ++name) {
+      set.of_name.push_back(name);
+      set.key_of_name.push_back(name);
+    }
+    set.count = count;
     roads_rule.network = Network::kSpanningTree;
   } else {
-    grown = grow(*ground, visited, rule, checkpoint, memory);
-    regions = cells_of(*ground, grown);
-    count = static_cast<std::int32_t>(grown.size());
+    grown = grow(ground, visited, rule, checkpoint, memory, change);
+    regions = cells_of(ground, grown);
+    set = set_of(grown);
     const double reach = std::min(1e9, params.second_radius / frame.resolution);
-    absorb_rest(*ground, regions, static_cast<std::int32_t>(reach), checkpoint);
+    absorb_rest(ground, regions, static_cast<std::int32_t>(reach), checkpoint);
   }
-  count = merge_regions(*ground, regions, count, merge_rule(params, frame), checkpoint);
-  RegionsAndRoads result = finish_regions(*ground, regions, count, roads_rule, checkpoint);
-  if (memory && !params.as_printed)
-    *memory = {std::move(ground), std::move(visited), std::move(grown), memory->reused};
+  TileParts tiles(ground.width(), ground.height());
+  tiles.look_at(ground, regions, all_tiles(ground), checkpoint);
+  const std::vector<Contact> contacts = all_contacts(tiles);
+  merge_regions(ground, regions, tiles, contacts, set, merge_rule(params, frame), checkpoint);
+  std::optional<TileSet> changed;
+  if (change && !params.as_printed) {
+    changed = change->tiles;
+    add_moved_cells(ground, regions, set, *memory->names, keys_before, *changed);
+  }
+  RegionsAndRoads result =
+      finish_regions(ground, regions, tiles, contacts, set,
+                     params.min_region_area / (frame.resolution * frame.resolution), roads_rule,
+                     checkpoint, memory ? &memory->memo : nullptr, changed ? &*changed : nullptr);
+  if (memory && !params.as_printed) {
+    memory->visited = std::move(visited);
+    memory->regions = std::move(grown);
+    memory->names = std::make_unique<RegionCells>(std::move(regions));
+  }
   return result;
 }
 

@@ -24,14 +24,16 @@ struct GrowingParams {
   double merge_area = 2000.0;
   double merge_obstacle_ratio = 0.2;
   double coverage = 0.95;
-  bool as_printed = false;  ///< `mode: paper`
+  double min_region_area = 50.0;  ///< of a part of free space, else it is left out
+  bool as_printed = false;        ///< `mode: paper`
 };
 
 /// What is kept of one map for the next.
 struct GrowthMemory {
-  std::unique_ptr<Ground> ground;
   std::vector<CellIndex> visited;
   std::vector<GrownRegion> regions;
+  std::unique_ptr<RegionCells> names;  ///< by cell: its region's place in `regions`, plus one
+  RegionMemo memo;
   std::size_t reused = 0;  ///< of `regions`: taken from the map before
 };
 
@@ -40,12 +42,14 @@ struct GrowthMemory {
 std::vector<CellIndex> cells_visited(const Ground& ground, const Trajectory& trajectory,
                                      std::size_t& outside, std::size_t& blocked);
 
-/// Divides free space by region growing (Wang et al. 2019). With a memory of the map before, what
-/// grew there is used where it can be, and the memory becomes one of this map; the result is the
-/// same. `visited` may be empty.
-RegionsAndRoads segment_by_growth(std::unique_ptr<Ground> ground, std::vector<CellIndex> visited,
+/// Divides free space by region growing (Wang et al. 2019). `visited` may be empty. A memory is for
+/// maps that follow each other: where it has one of the map before and `change` tells how the
+/// ground differs from that one's, what grew there is used where it can be, with the same result;
+/// then it is of this map. Without `change` what it has is forgotten.
+RegionsAndRoads segment_by_growth(const Ground& ground, std::vector<CellIndex> visited,
                                   const GrowingParams& params, const RegionRoadsRule& roads,
                                   Random random, const Checkpoint& checkpoint = never_stop,
-                                  GrowthMemory* memory = nullptr);
+                                  GrowthMemory* memory = nullptr,
+                                  const GroundChange* change = nullptr);
 
 }  // namespace stope::topology

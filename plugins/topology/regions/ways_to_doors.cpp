@@ -20,11 +20,8 @@ constexpr float kMostPenalty = 12.0F;
 
 }  // namespace
 
-WaysToDoors::WaysToDoors(const Ground& ground, const RegionCells& regions)
-    : ground_(ground),
-      regions_(regions),
-      cost_(ground.width(), ground.height()),
-      back_(ground.width(), ground.height()) {
+WaySearchCells::WaySearchCells(std::int32_t width, std::int32_t height)
+    : cost_(width, height), back_(width, height) {
   std::fill_n(cost_.data(), cost_.size(), kUnreached);
 }
 
@@ -46,11 +43,13 @@ std::vector<std::vector<CellIndex>> WaysToDoors::find(CellIndex centre,
       ways[i].push_back(cell);
     ways[i].push_back(centre);
   }
+  for (const CellIndex cell : reached_) cost_[cell] = kUnreached;
+  reached_.clear();
   return ways;
 }
 
 std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const {
-  const std::int32_t region = regions_[from];
+  const std::int32_t region = region_of(from);
   const std::int32_t least = std::min(ground_.squared(from), ground_.squared(to)) / 2;
   const std::int32_t x0 = ground_.column(from), y0 = ground_.row(from);
   const std::int32_t dx = ground_.column(to) - x0, dy = ground_.row(to) - y0;
@@ -62,7 +61,8 @@ std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const
       return static_cast<std::int32_t>(twice / (2 * count));
     };
     const CellIndex cell = ground_.index(x0 + part(dx), y0 + part(dy));
-    if (regions_[cell] != region || !ground_.free(cell) || ground_.squared(cell) < least) return {};
+    if (region_of(cell) != region || !ground_.free(cell) || ground_.squared(cell) < least)
+      return {};
     cells.push_back(cell);
   }
   return cells;
@@ -72,10 +72,11 @@ void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) 
   std::int32_t wide = ground_.squared(centre);
   for (const CellIndex door : doors) wide = std::max(wide, ground_.squared(door));
   const auto steps = neighbour_steps(ground_.stride());
-  const std::int32_t region = regions_[centre];
+  const std::int32_t region = region_of(centre);
   using Entry = std::pair<float, CellIndex>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   cost_[centre] = 0;
+  reached_.push_back(centre);
   open.push({0.0F, centre});
   std::vector<CellIndex> wanted = doors;
   std::sort(wanted.begin(), wanted.end());
@@ -89,12 +90,13 @@ void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) 
     if (std::binary_search(wanted.begin(), wanted.end(), cell)) --left;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       const CellIndex next = cell + steps[i];
-      if (regions_[next] != region || !ground_.free(next)) continue;
+      if (region_of(next) != region || !ground_.free(next)) continue;
       const float length = i < 4 ? 1.0F : 1.41421356F;
       const float penalty = std::min(
           kMostPenalty, static_cast<float>(wide) / static_cast<float>(ground_.squared(next)));
       const float there = cost + length * (1 + penalty);
       if (there >= cost_[next]) continue;
+      if (cost_[next] == kUnreached) reached_.push_back(next);
       cost_[next] = there;
       back_[next] = static_cast<std::uint8_t>(i);
       open.push({there, next});

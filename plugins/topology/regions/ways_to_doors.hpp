@@ -2,27 +2,43 @@
 
 #include <vector>
 
-#include "plugins/topology/regions/ground.hpp"
+#include "plugins/topology/regions/region_set.hpp"
 
 namespace stope::topology {
 
-/// Finds ways within regions. Keeps a cost for every cell, so one is made for a map; each region is
-/// asked for once.
+/// What searches for ways need for every cell. Regions share no cells, so those within different
+/// ones can be under way at once.
+class WaySearchCells {
+ public:
+  WaySearchCells(std::int32_t width, std::int32_t height);
+
+ private:
+  friend class WaysToDoors;
+  PaddedGrid<float> cost_;         ///< infinite where no search is under way
+  PaddedGrid<std::uint8_t> back_;  ///< the step by which a cell was reached
+};
+
+/// Finds ways within regions, one after the other.
 class WaysToDoors {
  public:
-  WaysToDoors(const Ground& ground, const RegionCells& regions);
+  WaysToDoors(const Ground& ground, const PaddedGrid<std::int32_t>& names, const RegionSet& set,
+              WaySearchCells& cells)
+      : ground_(ground), names_(names), set_(set), cost_(cells.cost_), back_(cells.back_) {}
   /// For each of the cells `doors` the cells from it to `centre`, both included; all lie in one
   /// region, which holds together.
   std::vector<std::vector<CellIndex>> find(CellIndex centre, const std::vector<CellIndex>& doors);
 
  private:
+  std::int32_t region_of(CellIndex cell) const { return set_.of(names_[cell]); }
   std::vector<CellIndex> straight(CellIndex from, CellIndex to) const;
   void search(CellIndex centre, const std::vector<CellIndex>& doors);
 
   const Ground& ground_;
-  const RegionCells& regions_;
-  PaddedGrid<float> cost_;
-  PaddedGrid<std::uint8_t> back_;  ///< the step by which a cell was reached
+  const PaddedGrid<std::int32_t>& names_;
+  const RegionSet& set_;
+  PaddedGrid<float>& cost_;
+  PaddedGrid<std::uint8_t>& back_;
+  std::vector<CellIndex> reached_;
 };
 
 }  // namespace stope::topology

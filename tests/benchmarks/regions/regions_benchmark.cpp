@@ -1,18 +1,22 @@
 // Room segmentation against labelled rooms, Table 1 of Wang et al. on our rooms, and time on large
 // maps. Protocol and published figures: docs/regions.md.
 //   STOPE_PICTURES=folder   also paints every segmentation there
+//   RUNS=0                  leaves out the times; CHANGES=0 those after changes
 #include <fmt/format.h>
-#include <time.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 
 #include "plugins/metric/labelled_rooms.hpp"
 #include "plugins/metric/region_scores.hpp"
-#include "plugins/topology/regions/clearance_basins.hpp"
+#include "plugins/topology/regions/room_divider.hpp"
 #include "plugins/topology/regions/segment_by_growth.hpp"
+#include "stope/digest.hpp"
 #include "tests/benchmarks/regions/room_maps.hpp"
+#include "tests/plugins/topology/random_changes.hpp"
 
 namespace stope::benchmarks {
 namespace {
@@ -21,10 +25,8 @@ using topology::Ground;
 
 constexpr double kResolution = 0.05;
 
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 double number(const char* name, double fallback) {
@@ -47,28 +49,23 @@ topology::GrowingParams room_growing() {
   params.second_radius = 3.0;
   params.merge_radius = 0.8;
   params.merge_area = 30;
+  params.min_region_area = 1;
   return params;
 }
 
 topology::RegionRoadsRule room_roads() { return {0.2, 0.05, topology::Network::kAll, 1.5}; }
 
-topology::RegionsAndRoads voronoi(const OccupancyGrid& grid, double door_ratio, double least_area,
-                                  const topology::ExtractionParams& extraction) {
-  const Ground ground(grid, extraction);
-  std::int32_t count = 0;
-  const double cell = grid.frame.resolution * grid.frame.resolution;
-  const auto regions = topology::divide_at_doors(
-      ground, {door_ratio, number("SIMILAR", 0.8), least_area / cell}, count, [] {});
-  return topology::finish_regions(
-      ground, regions, count,
-      {extraction.min_clearance, extraction.simplify, topology::Network::kAll, 1.5}, [] {});
+topology::RoomDivider divider(const topology::RoomDivider::Rule& rule,
+                              const topology::ExtractionParams& extraction) {
+  return {extraction,
+          rule,
+          {extraction.min_clearance, extraction.simplify, topology::Network::kAll, 1.5}};
 }
 
 topology::RegionsAndRoads growing(const OccupancyGrid& grid, const topology::GrowingParams& params,
                                   const topology::ExtractionParams& extraction,
                                   topology::RegionRoadsRule roads) {
-  return topology::segment_by_growth(std::make_unique<Ground>(grid, extraction), {}, params, roads,
-                                     Random(1));
+  return topology::segment_by_growth(Ground(grid, extraction), {}, params, roads, Random(1));
 }
 
 void paint(const RegionMap& map, const std::string& name) {
@@ -76,15 +73,15 @@ void paint(const RegionMap& map, const std::string& name) {
     write_picture(map, std::filesystem::path(folder) / (name + ".png"));
 }
 
-/// Seconds of thread CPU time, least and median of a few runs.
+/// Seconds, least and median of a few runs.
 void time_member(const std::string& name, const char* member,
                  const std::function<topology::RegionsAndRoads()>& segment) {
   std::vector<double> times;
   topology::RegionsAndRoads result;
   for (int run = 0; run < static_cast<int>(number("RUNS", 3)); ++run) {
-    const double start = thread_seconds();
+    const double start = seconds();
     result = segment();
-    times.push_back(thread_seconds() - start);
+    times.push_back(seconds() - start);
   }
   paint(result.map, name + "-" + member);
   std::sort(times.begin(), times.end());
@@ -93,29 +90,60 @@ void time_member(const std::string& name, const char* member,
              times.front(), times[times.size() / 2]);
 }
 
+/// Changes that follow each other, each compared with a computation of everything.
+void time_changes(const std::string& name, OccupancyGrid grid) {
+  const topology::RegionRoadsRule roads{2.0, 0.2, topology::Network::kAll, 1.5};
+  const auto changes = static_cast<int>(number("CHANGES", 45));
+  auto rooms = divider({}, {});
+  rooms.full(grid, true);
+  Ground ground(grid, {});
+  topology::GrowthMemory memory;
+  topology::segment_by_growth(ground, {}, {}, roads, Random(1), topology::never_stop, &memory);
+  Random random(7);
+  std::vector<double> times[2], full[2];
+  int equal[2] = {0, 0};
+  const auto timed = [](std::vector<double>& into, auto&& work) {
+    const double start = seconds();
+    auto result = work();
+    into.push_back(seconds() - start);
+    return result;
+  };
+  const auto same = [](const topology::RegionsAndRoads& a, const topology::RegionsAndRoads& b) {
+    return digest_of(a.map) == digest_of(b.map) && digest_of(a.roads) == digest_of(b.roads) ? 1 : 0;
+  };
+  for (int i = 0; i < changes; ++i) {
+    const auto kind = static_cast<topology::ChangeKind>(i % topology::kChangeKinds);
+    const auto window = topology::change_at_random(grid, 200, kind, random);
+    const auto divided = timed(times[0], [&] { return rooms.update(grid, window); });
+    const auto grown = timed(times[1], [&] {
+      topology::GroundChange change(grid.frame.width, grid.frame.height);
+      const bool known = ground.update(grid, window, change);
+      if (!known) ground = Ground(grid, {});
+      return topology::segment_by_growth(ground, {}, {}, roads, Random(1), topology::never_stop,
+                                         &memory, known ? &change : nullptr);
+    });
+    if (i % 3 != 0) continue;
+    equal[0] += same(divided, timed(full[0], [&] { return divider({}, {}).full(grid, false); }));
+    equal[1] += same(grown, timed(full[1], [&] { return growing(grid, {}, {}, roads); }));
+  }
+  for (int member = 0; member < 2; ++member) {
+    std::sort(times[member].begin(), times[member].end());
+    std::sort(full[member].begin(), full[member].end());
+    fmt::print(
+        "{:22} {:16} {} changes of 200 x 200: median {:.3f} s, p90 {:.3f}; all of it {:.3f}; {} of "
+        "{} equal\n",
+        name, member == 0 ? "voronoi_regions" : "region_growing", changes,
+        times[member][times[member].size() / 2], times[member][times[member].size() * 9 / 10],
+        full[member][full[member].size() / 2], equal[member], full[member].size());
+  }
+}
+
 void time_large(const std::string& name, const OccupancyGrid& grid) {
   const topology::RegionRoadsRule roads{2.0, 0.2, topology::Network::kAll, 1.5};
-  time_member(name, "voronoi_regions", [&] { return voronoi(grid, 0.93, 50, {}); });
+  time_member(name, "voronoi_regions", [&] { return divider({}, {}).full(grid, false); });
   time_member(name, "region_growing", [&] { return growing(grid, {}, {}, roads); });
-  // A square of 200 x 200 cells in the middle of free space becomes an obstacle, and free again.
-  topology::GrowthMemory memory;
-  const auto again = [&](const OccupancyGrid& now) {
-    return topology::segment_by_growth(std::make_unique<Ground>(now, topology::ExtractionParams{}),
-                                       {}, {}, roads, Random(1), topology::never_stop, &memory);
-  };
-  const auto first = again(grid);
-  OccupancyGrid changed = grid;
-  const auto at = grid.frame.cell_at(first.map.regions[0].x, first.map.regions[0].y);
-  for (std::int32_t y = -100; at && y < 100; ++y)
-    for (std::int32_t x = -100; x < 100; ++x)
-      if (const Cell cell{at->column + x, at->row + y}; grid.frame.contains(cell))
-        changed.cells[grid.frame.place(cell)] = OccupancyGrid::kOccupied;
-  bool flip = false;
-  time_member(name, "region_growing, 200 x 200 changed", [&] {
-    flip = !flip;
-    return again(flip ? changed : grid);
-  });
-  fmt::print("{:22} {} of {} growths used again\n", "", memory.reused, memory.regions.size());
+  if (number("CHANGES", 45) > 0) time_changes(name, grid);
+  std::fflush(stdout);
 }
 
 /// Table 1 of Wang et al.: their rooms, and ours at the same resolution.
@@ -182,7 +210,7 @@ OccupancyGrid blocks(std::int32_t side) {
 }
 
 void score_rooms(const std::vector<RoomMap>& maps) {
-  const double ratio = number("DOOR_RATIO", 0.93), least = number("LEAST_AREA", 1.0);
+  const topology::RoomDivider::Rule rule{number("DOOR_RATIO", 0.93), number("SIMILAR", 0.8), 1.0};
   struct Sum {
     double recall = 0, precision = 0, mcc = 0, mean = 0, pairs = 0;
     int count = 0;
@@ -198,7 +226,7 @@ void score_rooms(const std::vector<RoomMap>& maps) {
     fmt::print("{:32} {:5}", map.name, truth.rooms);
     for (int member = 0; member < 2; ++member) {
       const auto result = member == 0
-                              ? voronoi(grid, ratio, least, room_extraction())
+                              ? divider(rule, room_extraction()).full(grid, false)
                               : growing(grid, room_growing(), room_extraction(), room_roads());
       paint(result.map, map.name + (member == 0 ? "-voronoi" : "-growing"));
       const auto s = metric::score_regions(truth.cells, result.map.labels.cells);
@@ -234,8 +262,11 @@ int main() {
   score_rooms(maps);
   table_one(folder / "room_maps");
   if (number("RUNS", 3) < 1) return 0;
-  fmt::print("\nTime of one thread\n");
   const auto mine = folder / "open_pit_maps" / "dapai_0p5m.png";
-  if (std::filesystem::exists(mine)) time_large("mine 4216 x 2591", read_rooms(mine, 0.5));
-  time_large("blocks 4096 x 4096", blocks(4096));
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{2}}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    fmt::print("\nTime on {} thread{}\n", threads, threads == 1 ? "" : "s");
+    if (std::filesystem::exists(mine)) time_large("mine 4216 x 2591", read_rooms(mine, 0.5));
+    time_large("blocks 4096 x 4096", blocks(4096));
+  }
 }

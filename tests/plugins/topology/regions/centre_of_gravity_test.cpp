@@ -40,7 +40,7 @@ RegionShape shape_where(const std::function<bool(double, double)>& free) {
   RegionCells regions = without_regions(ground);
   for (std::size_t i = 0; i < regions.size(); ++i)
     regions.data()[i] = ground.free(static_cast<CellIndex>(i)) ? 1 : 0;
-  return shapes_of(ground, regions, 1, [] {})[0];
+  return shape_of(ground, regions, {1, {0, 1}, {0, 1}}, 1, all_tiles(ground));
 }
 
 TEST(Axes, OfAnEllipseAreItsSemiAxes) {

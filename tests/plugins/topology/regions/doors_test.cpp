@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "plugins/topology/regions/clearance_basins.hpp"
+#include "plugins/topology/regions/room_divider.hpp"
 #include "tests/plugins/topology/test_grids.hpp"
 
 namespace stope::topology {
@@ -18,31 +18,34 @@ OccupancyGrid two_rooms(std::int32_t door) {
   });
 }
 
-std::int32_t rooms_of(const OccupancyGrid& grid, double door_ratio, RegionCells* cells = nullptr) {
+RegionMap rooms_of(const OccupancyGrid& grid, double door_ratio) {
   ExtractionParams params;
   params.min_obstacle_area = 0;
-  const Ground ground(grid, params);
-  std::int32_t count = 0;
-  RegionCells regions = divide_at_doors(ground, {door_ratio, 1, 1}, count, [] {});
-  if (cells) *cells = std::move(regions);
-  return count;
+  return RoomDivider(params, {door_ratio, 1, 0}, {}).full(grid, false).map;
+}
+
+std::size_t count_of(const OccupancyGrid& grid, double door_ratio) {
+  return rooms_of(grid, door_ratio).regions.size();
 }
 
 TEST(Doors, ADoorDividesAndAWideOpeningDoesNot) {
-  EXPECT_EQ(rooms_of(two_rooms(4), 0.8), 2);
-  EXPECT_EQ(rooms_of(two_rooms(12), 0.8), 2);
-  EXPECT_EQ(rooms_of(two_rooms(12), 0.5), 1);
-  EXPECT_EQ(rooms_of(two_rooms(20), 0.8), 1);
+  EXPECT_EQ(count_of(two_rooms(4), 0.8), 2U);
+  EXPECT_EQ(count_of(two_rooms(12), 0.8), 2U);
+  EXPECT_EQ(count_of(two_rooms(12), 0.5), 1U);
+  EXPECT_EQ(count_of(two_rooms(20), 0.8), 1U);
 }
 
 TEST(Doors, TheBorderRunsThroughTheDoor) {
-  RegionCells regions(1, 1);
-  ASSERT_EQ(rooms_of(two_rooms(4), 0.8, &regions), 2);
-  const std::int32_t left = regions[regions.index(5, 10)], right = regions[regions.index(38, 10)];
+  const RegionMap map = rooms_of(two_rooms(4), 0.8);
+  ASSERT_EQ(map.regions.size(), 2U);
+  const auto at = [&](std::int32_t column, std::int32_t row) {
+    return map.labels.cells[map.labels.frame.place({column, row})];
+  };
+  const std::int32_t left = at(5, 10), right = at(38, 10);
   EXPECT_NE(left, right);
   for (std::int32_t row = 1; row < 21; ++row) {
     for (std::int32_t column = 1; column < 43; ++column) {
-      const std::int32_t region = regions[regions.index(column, row)];
+      const std::int32_t region = at(column, row);
       if (column >= 20 && column <= 23) continue;
       EXPECT_EQ(region, column < 20 ? left : right) << column << ", " << row;
     }
@@ -52,19 +55,15 @@ TEST(Doors, TheBorderRunsThroughTheDoor) {
 TEST(Doors, EveryFreeCellIsInARegionAndNoOther) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const OccupancyGrid grid = random_grid(50, 40, 0.7, 2, seed);
-    RegionCells regions(1, 1);
-    const std::int32_t count = rooms_of(grid, 0.8, &regions);
+    const RegionMap map = rooms_of(grid, 0.8);
     std::set<std::int32_t> used;
-    for (std::int32_t row = 0; row < 40; ++row) {
-      for (std::int32_t column = 0; column < 50; ++column) {
-        const std::int32_t region = regions[regions.index(column, row)];
-        const bool free = grid.cells[grid.frame.place({column, row})] == OccupancyGrid::kFree;
-        EXPECT_EQ(region > 0, free);
-        if (free) used.insert(region);
-      }
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+      const std::int32_t region = map.labels.cells[i];
+      EXPECT_EQ(region > 0, grid.cells[i] == OccupancyGrid::kFree);
+      if (region > 0) used.insert(region);
     }
-    EXPECT_EQ(used.size(), static_cast<std::size_t>(count));
-    EXPECT_EQ(*used.rbegin(), count);
+    EXPECT_EQ(used.size(), map.regions.size());
+    EXPECT_EQ(*used.rbegin(), static_cast<std::int32_t>(map.regions.size()));
   }
 }
 

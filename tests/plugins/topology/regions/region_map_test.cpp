@@ -17,6 +17,7 @@ class RegionMaps : public ::testing::TestWithParam<int> {
     grid.frame.origin = {12, -7, 0.3};
     StageHarness stage = for_rooms(region_stages()[static_cast<std::size_t>(GetParam())]);
     stage.set("allow_empty", true).set("min_clearance", 0.0).set("min_obstacle_area", 0.0);
+    stage.set("min_region_area", 0.0);
     stage.input("grid", grid);
     map = stage.apply<RegionMap>(1);
     roads = stage.apply<RoadGraph>(0);

@@ -24,13 +24,13 @@ inline std::array<const StageEntry*, 2> region_stages() {
 inline StageHarness for_rooms(const StageEntry* entry) {
   StageHarness stage(entry);
   stage.set("min_clearance", 0.2).set("min_obstacle_area", 0.5).set("simplify", 0.05);
+  stage.set("min_region_area", 1.0);
   if (entry == stope_stage_RegionGrowing())
     stage.set("growth_radius", 1.2)
         .set("max_radius", 3.0)
         .set("second_radius", 3.0)
         .set("merge_radius", 0.8)
         .set("merge_area", 30.0);
-  if (entry == stope_stage_VoronoiRegions()) stage.set("min_region_area", 1.0);
   return stage;
 }
 

@@ -1,0 +1,144 @@
+// Problem: which basins of the clearance are one room.
+// Idea: the doors of the Voronoi diagram are the saddles of the clearance (Thrun 1998): the
+// clearest places between two basins. From the clearest saddle down, the basins on both sides
+// become one unless the saddle is a door: clearly narrower than both. From a saddle the border
+// falls along the steepest descents to both walls, which is the critical line.
+// Cost: linear in the saddles, which are few beside the cells, but for sorting the rooms.
+#include "plugins/topology/regions/join_at_doors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "plugins/topology/regions/borders.hpp"
+
+namespace stope::topology {
+namespace {
+
+/// Half the free width where the clearance is as given: to the obstacle's edge, not its centre.
+double half_width(std::int32_t squared) { return std::sqrt(static_cast<double>(squared)) - 0.5; }
+
+/// Basins that are joined; a set is named by the basin with the clearest peak.
+class JoinedBasins {
+ public:
+  JoinedBasins(const Ground& ground, const std::vector<CellIndex>& peaks)
+      : ground_(ground), peaks_(peaks), parent_(peaks.size()) {
+    for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<std::int32_t>(i);
+  }
+  std::int32_t find(std::int32_t basin) {
+    while (parent_[at(basin)] != basin) {
+      parent_[at(basin)] = parent_[at(parent_[at(basin)])];
+      basin = parent_[at(basin)];
+    }
+    return basin;
+  }
+  void join(std::int32_t a, std::int32_t b) {
+    if (is_clearer(b, a)) std::swap(a, b);
+    parent_[at(b)] = a;
+  }
+  std::int32_t squared(std::int32_t basin) const { return ground_.squared(peaks_[at(basin)]); }
+  bool is_clearer(std::int32_t a, std::int32_t b) const {
+    return is_uphill(ground_, peaks_[at(a)], peaks_[at(b)]);
+  }
+
+ private:
+  static std::size_t at(std::int32_t basin) { return static_cast<std::size_t>(basin); }
+  const Ground& ground_;
+  const std::vector<CellIndex>& peaks_;
+  std::vector<std::int32_t> parent_;
+};
+
+/// Rooms too small to be any join the neighbour they are most open to: the region each becomes.
+std::vector<std::int32_t> join_small(const RegionSet& set, const TileParts& tiles,
+                                     const std::vector<Contact>& contacts, double least_area) {
+  const auto count = static_cast<std::size_t>(set.count) + 1;
+  std::vector<std::int64_t> area(count, 0);
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+    for (const TilePart& part : tiles.parts(tile))
+      area[static_cast<std::size_t>(set.of(part.name))] += part.free_cells;
+  std::vector<std::map<std::int32_t, std::int64_t>> open(count);
+  for (const Border& border : find_borders(contacts, set)) {
+    open[static_cast<std::size_t>(border.a)][border.b] = border.steps;
+    open[static_cast<std::size_t>(border.b)][border.a] = border.steps;
+  }
+  std::vector<std::int32_t> now(count);
+  std::vector<std::pair<std::int64_t, std::int32_t>> order;
+  for (std::size_t i = 0; i < count; ++i) {
+    now[i] = static_cast<std::int32_t>(i);
+    if (i > 0 && static_cast<double>(area[i]) < least_area) order.emplace_back(area[i], now[i]);
+  }
+  std::sort(order.begin(), order.end());
+  const auto find = [&](std::int32_t region) {
+    while (now[static_cast<std::size_t>(region)] != region)
+      region = now[static_cast<std::size_t>(region)];
+    return region;
+  };
+  for (const auto& [cells, region] : order) {
+    const auto own = static_cast<std::size_t>(region);
+    if (find(region) != region || static_cast<double>(area[own]) >= least_area) continue;
+    std::int32_t target = 0;
+    std::int64_t widest = 0;
+    for (const auto& [other, steps] : open[own])
+      if (steps > widest) target = other, widest = steps;
+    if (target == 0) continue;
+    const auto to = static_cast<std::size_t>(target);
+    now[own] = target;
+    area[to] += area[own];
+    for (const auto& [other, steps] : open[own]) {
+      const auto there = static_cast<std::size_t>(other);
+      open[there].erase(region);
+      if (other == target) continue;
+      open[to][other] += steps;
+      open[there][target] += steps;
+    }
+    open[own].clear();
+  }
+  for (std::size_t i = 1; i < count; ++i) now[i] = find(static_cast<std::int32_t>(i));
+  return now;
+}
+
+}  // namespace
+
+RegionSet join_at_doors(const Ground& ground, const Basins& basins, const TileParts& tiles,
+                        const std::vector<Contact>& contacts, const DoorRule& rule,
+                        const Checkpoint& checkpoint) {
+  const std::vector<CellIndex>& peaks = basins.peaks();
+  JoinedBasins joined(ground, peaks);
+  checkpoint();
+  for (const Contact& contact : contacts) {
+    const std::int32_t a = joined.find(contact.a), b = joined.find(contact.b);
+    if (a == b) continue;
+    const double first = half_width(joined.squared(a)), second = half_width(joined.squared(b));
+    const double saddle = half_width(contact.squared);
+    const bool door = saddle <= rule.door_ratio * std::min(first, second) &&
+                      saddle <= rule.similar_ratio * std::sqrt(first * second);
+    if (!door) joined.join(a, b);
+  }
+  checkpoint();
+  std::vector<std::int32_t> rooms;
+  for (std::size_t i = 1; i < peaks.size(); ++i)
+    if (const auto basin = static_cast<std::int32_t>(i);
+        peaks[i] != 0 && joined.find(basin) == basin)
+      rooms.push_back(basin);
+  std::sort(rooms.begin(), rooms.end(),
+            [&](std::int32_t a, std::int32_t b) { return joined.is_clearer(a, b); });
+  RegionSet set;
+  set.key_of_name = peaks;
+  set.of_name.assign(peaks.size(), 0);
+  for (const std::int32_t room : rooms) set.of_name[static_cast<std::size_t>(room)] = ++set.count;
+  for (std::size_t i = 1; i < peaks.size(); ++i)
+    if (peaks[i] != 0)
+      set.of_name[i] =
+          set.of_name[static_cast<std::size_t>(joined.find(static_cast<std::int32_t>(i)))];
+  const std::vector<std::int32_t> now = join_small(set, tiles, contacts, rule.least_area);
+  std::vector<std::int32_t> number(now.size(), 0);
+  set.count = 0;
+  for (std::size_t i = 1; i < now.size(); ++i)
+    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++set.count;
+  for (std::int32_t& region : set.of_name)
+    region = number[static_cast<std::size_t>(now[static_cast<std::size_t>(region)])];
+  return set;
+}
+
+}  // namespace stope::topology

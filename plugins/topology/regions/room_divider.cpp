@@ -1,0 +1,105 @@
+// Problem: divide free space into rooms where it is narrow, and again after a change.
+// Idea: cells are looked at for two things only, each of which a change alters in places: in which
+// basin of the clearance they are, and where basins touch in a tile. What rooms are made of basins
+// is decided on some thousand basins, anew every time; measures and roads of rooms that are as they
+// were are remembered.
+// Cost: some looks at every cell, side by side; after a change, at the cells that see it, at the
+// tiles around them, and one to write every cell's label.
+#include "plugins/topology/regions/room_divider.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "plugins/topology/regions/borders.hpp"
+
+namespace stope::topology {
+
+struct RoomDivider::State {
+  State(const OccupancyGrid& grid, const ExtractionParams& extraction, const Checkpoint& checkpoint)
+      : ground(grid, extraction, checkpoint),
+        basins(ground, checkpoint),
+        tiles(ground.width(), ground.height()) {
+    tiles.look_at(ground, basins.cells(), all_tiles(ground), checkpoint);
+    contacts = all_contacts(tiles);
+    std::sort(contacts.begin(), contacts.end(), is_clearer);
+  }
+
+  bool update(const OccupancyGrid& grid, const CellWindow& window, TileSet& changed,
+              const Checkpoint& checkpoint) {
+    GroundChange change(ground.width(), ground.height());
+    if (!ground.update(grid, window, change, checkpoint)) return false;
+    changed = change.tiles;
+    basins.update(ground, change.tiles, changed);
+    const std::vector<std::int32_t> near = with_neighbours(ground, changed);
+    tiles.look_at(ground, basins.cells(), near, checkpoint);
+    TileSet looked_at(ground.width(), ground.height());
+    for (const std::int32_t tile : near) looked_at.add(tile);
+    // A contact is in the tile of the earlier of its cells.
+    std::erase_if(contacts, [&](const Contact& contact) {
+      return looked_at.has(looked_at.tile_of(std::min(contact.low, contact.high)));
+    });
+    std::vector<Contact> now, all;
+    for (const std::int32_t tile : near) {
+      const auto& those = tiles.contacts(static_cast<std::size_t>(tile));
+      now.insert(now.end(), those.begin(), those.end());
+    }
+    std::sort(now.begin(), now.end(), is_clearer);
+    all.reserve(contacts.size() + now.size());
+    std::merge(contacts.begin(), contacts.end(), now.begin(), now.end(), std::back_inserter(all),
+               is_clearer);
+    contacts = std::move(all);
+    return true;
+  }
+
+  Ground ground;
+  Basins basins;
+  TileParts tiles;
+  std::vector<Contact> contacts;  ///< the clearest first
+  RegionMemo memo;
+};
+
+RoomDivider::RoomDivider(const ExtractionParams& extraction, const Rule& rule,
+                         const RegionRoadsRule& roads)
+    : extraction_(extraction), rule_(rule), roads_(roads) {}
+RoomDivider::~RoomDivider() = default;
+RoomDivider::RoomDivider(RoomDivider&&) noexcept = default;
+RoomDivider& RoomDivider::operator=(RoomDivider&&) noexcept = default;
+
+void RoomDivider::forget() { state_.reset(); }
+
+std::size_t RoomDivider::reused() const { return state_ ? state_->memo.reused : 0; }
+
+RegionsAndRoads RoomDivider::full(const OccupancyGrid& grid, bool keep,
+                                  const Checkpoint& checkpoint) {
+  forget();
+  auto state = std::make_unique<State>(grid, extraction_, checkpoint);
+  RegionsAndRoads result = finish(*state, nullptr, checkpoint);
+  if (keep) state_ = std::move(state);
+  return result;
+}
+
+RegionsAndRoads RoomDivider::update(const OccupancyGrid& grid, const CellWindow& window,
+                                    const Checkpoint& checkpoint) {
+  // Whoever stops half way must not leave half a state.
+  std::unique_ptr<State> state = std::move(state_);
+  if (!state) return full(grid, true, checkpoint);
+  TileSet changed(state->ground.width(), state->ground.height());
+  if (!state->update(grid, window, changed, checkpoint)) return full(grid, true, checkpoint);
+  RegionsAndRoads result = finish(*state, &changed, checkpoint);
+  state_ = std::move(state);
+  return result;
+}
+
+RegionsAndRoads RoomDivider::finish(State& state, const TileSet* changed,
+                                    const Checkpoint& checkpoint) const {
+  const double resolution = state.ground.frame().resolution;
+  const double least_area = rule_.min_region_area / (resolution * resolution);
+  const RegionSet rooms =
+      join_at_doors(state.ground, state.basins, state.tiles, state.contacts,
+                    {rule_.door_ratio, rule_.similar_ratio, least_area}, checkpoint);
+  return finish_regions(state.ground, state.basins.cells(), state.tiles, state.contacts, rooms,
+                        least_area, roads_, checkpoint, &state.memo, changed);
+}
+
+}  // namespace stope::topology

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plugins/topology/regions/ground.hpp"
+#include "plugins/topology/tile_set.hpp"
+
+namespace stope::topology {
+
+/// Cells of a region (or of what regions are made of) within a tile.
+struct TilePart {
+  std::int32_t name = 0;
+  std::int32_t free_cells = 0;
+};
+
+/// Where two regions touch. `low` and `high` are the neighbouring cells, one in each, of which the
+/// lower one is clearest: `low` is the one that is not uphill of the other.
+struct Contact {
+  std::int32_t a = 0, b = 0;  ///< the lower name first
+  std::int32_t steps = 0;     ///< pairs of neighbouring cells
+  std::int32_t squared = 0;   ///< squared clearance of `low`
+  CellIndex low = 0, high = 0;
+};
+
+/// Whether the cells of a contact are a better way through than those of another; a strict order
+/// of all pairs of neighbouring cells of a grid, whatever regions are called.
+inline bool is_clearer(const Contact& x, const Contact& y) {
+  if (x.squared != y.squared) return x.squared > y.squared;
+  return x.low != y.low ? x.low < y.low : x.high < y.high;
+}
+
+/// Which regions have cells in each tile of a grid, and touch there: all that is asked of cells to
+/// merge, measure and connect regions, so that after a change only some tiles are looked at.
+class TileParts {
+ public:
+  TileParts(std::int32_t width, std::int32_t height) : tiles_(TileSet(width, height).size()) {}
+
+  /// Looks at some tiles anew, side by side. `names` of 0 are no region. Contacts across a tile's
+  /// upper and right side are in it, those across the lower and left side in the tile beyond.
+  void look_at(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+               const std::vector<std::int32_t>& tiles, const Checkpoint& checkpoint);
+
+  std::size_t size() const { return tiles_.size(); }
+  const std::vector<TilePart>& parts(std::size_t tile) const { return tiles_[tile].parts; }
+  const std::vector<Contact>& contacts(std::size_t tile) const { return tiles_[tile].contacts; }
+
+ private:
+  struct Tile {
+    std::vector<TilePart> parts;
+    std::vector<Contact> contacts;
+  };
+  std::vector<Tile> tiles_;
+};
+
+/// All tiles of a grid.
+std::vector<std::int32_t> all_tiles(const Ground& ground);
+
+/// The tiles whose contacts can be others after the cells of some tiles have changed: these, and
+/// those beside them.
+std::vector<std::int32_t> with_neighbours(const Ground& ground, const TileSet& tiles);
+
+}  // namespace stope::topology
