@@ -36,26 +36,31 @@ BestFirstSearch::BestFirstSearch(const SearchGraph& graph, bool through_passages
 
 /// Arcs whose costs are part of what lies ahead: all nodes along them are reached at once, and none
 /// need ask for it.
-void BestFirstSearch::push_along(std::span<const std::uint32_t> arcs, WayCost cost, WayCost ahead) {
+void BestFirstSearch::push_along(std::span<const std::uint32_t> arcs, WayCost cost, WayCost ahead,
+                                 std::span<const WayEnd> targets) {
   for (const std::uint32_t arc : arcs) {
     const SearchArc& step = graph_.arc(arc);
     cost += step.cost;
     ahead -= step.cost;
     if (cost >= labels_.cost(step.to)) continue;
     labels_.set(step.to, cost, arc);
-    heap_.push({cost + ahead, ahead}, step.to);
+    // The arc behind the last may be driven still, only dearer.
+    if (arc == arcs.back() || !is_driven_through(step.to, targets))
+      heap_.push({cost + ahead, ahead}, step.to);
   }
+}
+
+bool BestFirstSearch::is_driven_through(std::uint32_t node, std::span<const WayEnd> targets) const {
+  return !passage_.empty() && passage_[node] &&
+         std::none_of(targets.begin(), targets.end(),
+                      [node](const WayEnd& target) { return target.node == node; });
 }
 
 /// From an arc's end to the next node where there is something to decide; whether there is one that
 /// was not come to more cheaply.
 bool BestFirstSearch::drive_through(std::uint32_t& node, WayCost& cost, std::uint32_t& arc,
                                     std::span<const WayEnd> targets, const CostChanges& changes) {
-  const auto ends_at = [&](std::uint32_t here) {
-    return std::any_of(targets.begin(), targets.end(),
-                       [here](const WayEnd& target) { return target.node == here; });
-  };
-  while (arc != kNoArc && passage_[node] && !ends_at(node)) {
+  while (arc != kNoArc && is_driven_through(node, targets)) {
     if (cost >= labels_.cost(node)) return false;
     labels_.set(node, cost, arc);
     std::uint32_t next = graph_.first_arc(node);

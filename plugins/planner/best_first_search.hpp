@@ -47,7 +47,9 @@ class BestFirstSearch {
     bool operator!=(const Key& other) const { return whole != other.whole || ahead != other.ahead; }
   };
 
-  void push_along(std::span<const std::uint32_t> arcs, WayCost cost, WayCost ahead);
+  void push_along(std::span<const std::uint32_t> arcs, WayCost cost, WayCost ahead,
+                  std::span<const WayEnd> targets);
+  bool is_driven_through(std::uint32_t node, std::span<const WayEnd> targets) const;
   bool drive_through(std::uint32_t& node, WayCost& cost, std::uint32_t& arc,
                      std::span<const WayEnd> targets, const CostChanges& changes);
 
@@ -66,7 +68,7 @@ Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEn
   heap_.clear();
   known_arcs_.clear();
   const auto reach = [&](std::uint32_t node, WayCost cost, std::uint32_t arc) {
-    if (!passage_.empty() && !drive_through(node, cost, arc, targets, changes)) return;
+    if (!drive_through(node, cost, arc, targets, changes)) return;
     if (cost >= labels_.cost(node)) return;
     const WayCost rest = ahead(node);
     if (rest == kNoWay) return;
@@ -85,7 +87,7 @@ Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEn
         way.target = node;
         break;
       }
-      push_along(known_arcs_, cost, key.ahead);
+      push_along(known_arcs_, cost, key.ahead, targets);
       known_arcs_.clear();
     }
     for (const WayEnd& target : targets) {
