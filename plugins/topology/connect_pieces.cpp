@@ -235,7 +235,9 @@ class PieceConnector {
     std::vector<bool> seen(outlines_.list.size(), false);
     for (const TracedLine* line : lines_) seen[at(piece_of(*line))] = true;
     for (std::size_t outline = 0; outline < outlines_.list.size(); ++outline) {
-      if (seen[at(pieces_.find(static_cast<std::int32_t>(outline)))]) continue;
+      if (outlines_.list[outline].count == 0 ||
+          seen[at(pieces_.find(static_cast<std::int32_t>(outline)))])
+        continue;
       const CellIndex cell = widest_place(static_cast<std::int32_t>(outline));
       network.nodes.push_back({{edges_.column(cell) + 0.5, edges_.row(cell) + 0.5,
                                 std::sqrt(static_cast<double>(distance(cell)))},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace stope::topology {
 namespace {
@@ -13,13 +14,9 @@ using Kind = ExtractionMethod::Kind;
 constexpr double kLeastResidual = 2.0;
 constexpr double kLeastLambda = 4.0;
 
-bool by_lambda(const ExtractionMethod& method) {
-  return method.skeleton.pruning == SkeletonParams::Pruning::kLambda;
-}
-
 double skeleton_cells(const ExtractionMethod& method, const GridFrame& frame) {
-  return by_lambda(method) ? std::max(method.skeleton.lambda / frame.resolution, kLeastLambda)
-                           : std::max(method.skeleton.residual / frame.resolution, kLeastResidual);
+  return method.by_lambda() ? std::max(method.skeleton.lambda / frame.resolution, kLeastLambda)
+                            : std::max(method.skeleton.residual / frame.resolution, kLeastResidual);
 }
 
 SideRule rule_of(const ExtractionMethod& method, const GridFrame& frame, const Outlines& outlines,
@@ -35,8 +32,8 @@ SideRule rule_of(const ExtractionMethod& method, const GridFrame& frame, const O
       break;
   }
   const double cells = skeleton_cells(method, frame);
-  return by_lambda(method) ? SideRule::by_separation(outlines, cells)
-                           : SideRule::by_residual(outlines, ways, cells);
+  return method.by_lambda() ? SideRule::by_separation(outlines, cells)
+                            : SideRule::by_residual(outlines, ways, cells);
 }
 
 }  // namespace
@@ -52,31 +49,28 @@ std::int32_t ExtractionMethod::gap(const GridFrame& frame) const {
 }
 
 DividingRule::DividingRule(const ExtractionMethod& method, const GridFrame& frame,
-                           const Outlines& outlines, const std::vector<std::uint8_t>* sides)
-    : ways_(method.kind == Kind::kSkeleton && !by_lambda(method) ? measure_ways(outlines, sides)
-                                                                 : OutlineWays{}),
-      turns_(
-          method.kind == Kind::kWatershedParts
-              ? find_turns(outlines,
-                           {method.parts.corner_angle, method.parts.part_length / frame.resolution},
-                           sides)
-              : OutlineTurns{}),
-      rule_(rule_of(method, frame, outlines, ways_, turns_)) {}
+                           const Outlines& outlines)
+    : DividingRule(method, frame, outlines, sides_of_edges(outlines)) {}
 
-RuleReach reach_of(const ExtractionMethod& method, const GridFrame& frame) {
-  switch (method.kind) {
-    case Kind::kWatershed:
-      return {0, true, false};
-    case Kind::kVoronoi:
-      return {method.gap(frame), false, false};
-    case Kind::kSkeleton:
-      if (by_lambda(method)) return {method.gap(frame), true, false};
-      break;
-    case Kind::kWatershedParts:
-      break;
+DividingRule::DividingRule(const ExtractionMethod& method, const GridFrame& frame,
+                           const Outlines& outlines, const std::vector<std::uint8_t>& sides)
+    : outlines_(outlines),
+      by_residual_(method.kind == Kind::kSkeleton && !method.by_lambda()),
+      by_turns_(method.kind == Kind::kWatershedParts),
+      residual_(skeleton_cells(method, frame)),
+      turn_rule_{method.parts.corner_angle, method.parts.part_length / frame.resolution},
+      rule_(rule_of(method, frame, outlines, ways_, turns_)) {
+  std::vector<std::int32_t> all(outlines.list.size());
+  std::iota(all.begin(), all.end(), 0);
+  renew(all, sides);
+}
+
+void DividingRule::renew(const std::vector<std::int32_t>& places,
+                         const std::vector<std::uint8_t>& sides) {
+  for (const std::int32_t place : places) {
+    if (by_residual_) measure_way(outlines_, sides, place, ways_);
+    if (by_turns_) find_turns(outlines_, sides, place, turn_rule_, turns_);
   }
-  // Ways and turns between two edges, however far apart, are others after a change between them.
-  return {0, true, true};
 }
 
 }  // namespace stope::topology

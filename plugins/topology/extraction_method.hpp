@@ -18,9 +18,9 @@ struct ExtractionMethod {
 
   /// Whether lines may end, so that they are connected and pruned.
   bool branching() const { return kind != Kind::kWatershed; }
-  /// Whether its rule looks at the places and sides of edges, not only at their numbers.
-  bool measures_outlines() const {
-    return kind == Kind::kSkeleton || kind == Kind::kWatershedParts;
+  /// A skeleton whose lines are cut by the distance of the places seen, not by the outline between.
+  bool by_lambda() const {
+    return kind == Kind::kSkeleton && skeleton.pruning == SkeletonParams::Pruning::kLambda;
   }
   OccupancyRule occupancy() const {
     return {params.occupied_threshold, params.unknown_is_obstacle};
@@ -36,26 +36,31 @@ struct ExtractionMethod {
 /// The rule of a method for outlines, and what it is made of.
 class DividingRule {
  public:
-  /// `sides` of the edges by number; measured from the outlines if not given.
+  DividingRule(const ExtractionMethod& method, const GridFrame& frame, const Outlines& outlines);
+  /// `sides` of the edges, where outlines.sides does not tell them.
   DividingRule(const ExtractionMethod& method, const GridFrame& frame, const Outlines& outlines,
-               const std::vector<std::uint8_t>* sides = nullptr);
+               const std::vector<std::uint8_t>& sides);
   DividingRule(const DividingRule&) = delete;
   DividingRule& operator=(const DividingRule&) = delete;
+
+  /// Measures the outlines at these places of the list anew.
+  void renew(const std::vector<std::int32_t>& places, const std::vector<std::uint8_t>& sides);
+
   const SideRule& rule() const { return rule_; }
+  const OutlineWays& ways() const { return ways_; }     ///< of a skeleton by residual
+  const OutlineTurns& turns() const { return turns_; }  ///< of a watershed of parts
+  const TurnRule& turn_rule() const { return turn_rule_; }
+  double residual() const { return residual_; }  ///< cells
 
  private:
+  const Outlines& outlines_;
+  bool by_residual_, by_turns_;
+  double residual_;
+  TurnRule turn_rule_;
   OutlineWays ways_;
   OutlineTurns turns_;
   SideRule rule_;
 };
-
-/// How far a change of an outline can be felt by a method's rule.
-struct RuleReach {
-  std::int32_t edges = 0;      ///< along the outline, from where it changed
-  bool by_regrouping = false;  ///< anywhere if edges of one outline come to belong to two, or back
-  bool everywhere = false;
-};
-RuleReach reach_of(const ExtractionMethod& method, const GridFrame& frame);
 
 /// A grid's roads by any method.
 RoadGraph extract_roads(const OccupancyGrid& grid, const ExtractionMethod& method,

@@ -8,34 +8,39 @@
 namespace stope::topology {
 
 /// Outlines that can change while millions of cells refer to their edges. An edge keeps its *name*
-/// as long as it exists; its *number* tells where along the outlines it is.
+/// as long as it exists; its *number* tells where along its outline it is. Outlines keep their
+/// places in the lists and their edges' numbers while they do not change; a place whose outline is
+/// gone has a count of 0.
 struct NamedOutlines {
-  Outlines by_name;                 ///< `list` is that of by_number
-  Outlines by_number;               ///< what trace_outlines would give, but without `sides`
+  Outlines by_name;
+  Outlines by_number;               ///< without `sides`; outlines are in no particular order
   std::vector<OutlineEdge> number;  ///< by name; -1: exists no more
-  std::vector<OutlineEdge> name;    ///< by number; -1: no edge
+  std::vector<OutlineEdge> name;    ///< by number, where an outline has it
   std::vector<std::uint8_t> side;   ///< by name
+  std::vector<std::uint8_t> side_by_number;
+  std::vector<std::int32_t> unused;  ///< places in the lists
 
   NamedOutlines(const Outlines& outlines, const EdgeGrid& edges);
-  std::vector<std::uint8_t> sides_by_number() const;
-  /// Sets by_number.place, which updates leave empty.
-  void place_by_number();
 };
 
-/// What a change of outlines means to cells that see edges of them.
+/// Edges that are in a row on an outline as they were before it changed, as many as there are.
+struct StayedRun {
+  std::int32_t outline = 0, first = 0, count = 0;       ///< from its first edge on
+  std::int32_t old_outline = 0, old_outline_count = 0;  ///< where they were: by its place then
+};
+
+/// How outlines have changed.
 struct OutlineChange {
-  /// Names of the edges, new ones apart, that are within `reach` edges of a place where their
-  /// outline is another than before.
-  std::vector<OutlineEdge> near;
-  /// Whether edges that were of one outline are of two now, or the other way round.
-  bool regrouped = false;
+  /// Of those that have, the edges that stayed. Where a run ends, the outline is another.
+  std::vector<StayedRun> runs;
+  std::vector<std::int32_t> outlines;  ///< places of those with other numbers than before
 };
 
 /// Brings outlines up to date after cells of the window became obstacles or free: `space` has their
 /// kObstacle bits as they are now, all else as it was. Sets kOnOutline, and in `edges` the places
 /// of new outline cells. Names are only ever added. Cost: linear in the window and the length of
-/// the outlines, but for those numbered before the first that changed.
+/// the outlines that reach into it; now and then in that of all.
 OutlineChange update_outlines(NamedOutlines& outlines, FreeSpace& space, EdgeGrid& edges,
-                              const CellWindow& window, std::int32_t reach);
+                              const CellWindow& window);
 
 }  // namespace stope::topology

@@ -14,17 +14,6 @@ namespace {
 
 std::size_t at(std::int64_t place) { return static_cast<std::size_t>(place); }
 
-/// By edge: on which Side of its obstacle cell it is.
-std::vector<std::uint8_t> sides_of_edges(const Outlines& outlines) {
-  std::vector<std::uint8_t> result(outlines.place.size(), 0);
-  for (const auto& sides : outlines.sides)
-    for (int side = 0; side < 4; ++side)
-      if (const OutlineEdge edge = sides[at(side)];
-          edge >= 0 && at(edge) < result.size() && outlines.of_edge[at(edge)] >= 0)
-        result[at(edge)] = static_cast<std::uint8_t>(side);
-  return result;
-}
-
 /// Sums over a closed outline's edges, for windows that may pass its first edge.
 class RoundSums {
  public:
@@ -50,6 +39,11 @@ std::vector<std::int64_t> headings(const Outline& outline, const std::vector<std
     result[at(i)] = result[at(i) - 1] + (turn == 3 ? -1 : turn);
   }
   return result;
+}
+
+/// A part of the length, in edges.
+std::int64_t half_of(const TurnRule& rule, double part) {
+  return std::llround(part * std::min(rule.length, 1e9));
 }
 
 /// Marks the edges where the heading turns right by `least` right angles within 2 * half edges.
@@ -78,55 +72,80 @@ void mark_turns(const std::vector<std::int64_t>& heading, std::int64_t all_round
 
 }  // namespace
 
-OutlineWays measure_ways(const Outlines& outlines, const std::vector<std::uint8_t>* known_sides) {
-  constexpr std::int64_t kReach = 2;
-  constexpr std::array<int, 4> kEastward{0, -1, 0, 1}, kNorthward{1, 0, -1, 0};  // by Side
-  const std::vector<std::uint8_t> sides = known_sides ? *known_sides : sides_of_edges(outlines);
+std::vector<std::uint8_t> sides_of_edges(const Outlines& outlines) {
+  std::vector<std::uint8_t> result(outlines.place.size(), 0);
+  for (const auto& sides : outlines.sides)
+    for (int side = 0; side < 4; ++side)
+      if (const OutlineEdge edge = sides[at(side)];
+          edge >= 0 && at(edge) < result.size() && outlines.of_edge[at(edge)] >= 0)
+        result[at(edge)] = static_cast<std::uint8_t>(side);
+  return result;
+}
+
+OutlineWays measure_ways(const Outlines& outlines) {
+  const std::vector<std::uint8_t> sides = sides_of_edges(outlines);
   OutlineWays ways;
-  ways.way.resize(outlines.place.size(), 0);
-  for (const Outline& outline : outlines.list) {
-    RoundSums east(at(outline.count)), north(at(outline.count));
-    for (std::int32_t i = 0; i < outline.count; ++i) {
-      east.add(kEastward[sides[at(outline.first + i)]]);
-      north.add(kNorthward[sides[at(outline.first + i)]]);
-    }
-    const std::int64_t reach = std::min<std::int64_t>(kReach, outline.count / 8);
-    std::int64_t way = 0;
-    for (std::int32_t i = 0; i < outline.count; ++i) {
-      ways.way[at(outline.first + i)] = way;
-      const auto dx = static_cast<double>(east.before(i + reach + 1) - east.before(i - reach));
-      const auto dy = static_cast<double>(north.before(i + reach + 1) - north.before(i - reach));
-      way += std::llround(OutlineWays::kUnit * std::sqrt(dx * dx + dy * dy) /
-                          static_cast<double>(2 * reach + 1));
-    }
-    ways.whole.push_back(way);
-  }
+  for (std::size_t i = 0; i < outlines.list.size(); ++i)
+    measure_way(outlines, sides, static_cast<std::int32_t>(i), ways);
   return ways;
 }
 
-OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule,
-                        const std::vector<std::uint8_t>* known_sides) {
-  const std::vector<std::uint8_t> sides = known_sides ? *known_sides : sides_of_edges(outlines);
-  const double least = rule.angle / (std::numbers::pi / 2) - 1e-9;
-  OutlineTurns turns;
-  turns.before.resize(outlines.place.size(), 0);
-  for (const Outline& outline : outlines.list) {
-    const auto heading = headings(outline, sides);
-    const int last_turn =
-        (sides[at(outline.first + outline.count - 1)] - sides[at(outline.first)] + 4) % 4;
-    const std::int64_t all_round = heading.back() + (last_turn == 3 ? -1 : last_turn);
-    std::vector<bool> turning(heading.size(), false);
-    for (const double part : {0.5, 0.25, 0.125})
-      mark_turns(heading, all_round, std::llround(part * std::min(rule.length, 1e9)), least,
-                 turning);
-    std::int32_t count = 0;
-    for (std::int32_t i = 0; i < outline.count; ++i) {
-      turns.before[at(outline.first + i)] = count;
-      count += turning[at(i)] ? 1 : 0;
-    }
-    turns.whole.push_back(count);
+void measure_way(const Outlines& outlines, const std::vector<std::uint8_t>& sides,
+                 std::int32_t place, OutlineWays& ways) {
+  constexpr std::array<int, 4> kEastward{0, -1, 0, 1}, kNorthward{1, 0, -1, 0};  // by Side
+  const Outline& outline = outlines.list[at(place)];
+  ways.way.resize(outlines.place.size(), 0);
+  ways.whole.resize(outlines.list.size(), 0);
+  RoundSums east(at(outline.count)), north(at(outline.count));
+  for (std::int32_t i = 0; i < outline.count; ++i) {
+    east.add(kEastward[sides[at(outline.first + i)]]);
+    north.add(kNorthward[sides[at(outline.first + i)]]);
   }
+  const std::int64_t reach =
+      outline.count < kSmallOutline ? outline.count / (kSmallOutline / kWayReach) : kWayReach;
+  std::int64_t way = 0;
+  for (std::int32_t i = 0; i < outline.count; ++i) {
+    ways.way[at(outline.first + i)] = way;
+    const auto dx = static_cast<double>(east.before(i + reach + 1) - east.before(i - reach));
+    const auto dy = static_cast<double>(north.before(i + reach + 1) - north.before(i - reach));
+    way += std::llround(OutlineWays::kUnit * std::sqrt(dx * dx + dy * dy) /
+                        static_cast<double>(2 * reach + 1));
+  }
+  ways.whole[at(place)] = way;
+}
+
+OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule) {
+  const std::vector<std::uint8_t> sides = sides_of_edges(outlines);
+  OutlineTurns turns;
+  for (std::size_t i = 0; i < outlines.list.size(); ++i)
+    find_turns(outlines, sides, static_cast<std::int32_t>(i), rule, turns);
   return turns;
+}
+
+void find_turns(const Outlines& outlines, const std::vector<std::uint8_t>& sides,
+                std::int32_t place, const TurnRule& rule, OutlineTurns& turns) {
+  const double least = rule.angle / (std::numbers::pi / 2) - 1e-9;
+  const Outline& outline = outlines.list[at(place)];
+  turns.before.resize(outlines.place.size(), 0);
+  turns.whole.resize(outlines.list.size(), 0);
+  const auto heading = headings(outline, sides);
+  const int last_turn =
+      (sides[at(outline.first + outline.count - 1)] - sides[at(outline.first)] + 4) % 4;
+  const std::int64_t all_round = heading.back() + (last_turn == 3 ? -1 : last_turn);
+  std::vector<bool> turning(heading.size(), false);
+  for (const double part : {0.5, 0.25, 0.125})
+    mark_turns(heading, all_round, half_of(rule, part), least, turning);
+  std::int32_t count = 0;
+  for (std::int32_t i = 0; i < outline.count; ++i) {
+    turns.before[at(outline.first + i)] = count;
+    count += turning[at(i)] ? 1 : 0;
+  }
+  turns.whole[at(place)] = count;
+}
+
+std::int32_t reach_of_turns(const TurnRule& rule) {
+  const std::int64_t half = half_of(rule, 0.5);
+  return static_cast<std::int32_t>(half + half / 4 + 2);
 }
 
 }  // namespace stope::topology

@@ -23,12 +23,18 @@ struct OutlineWays {
   }
 };
 
+/// The sides of edges, by edge.
+std::vector<std::uint8_t> sides_of_edges(const Outlines& outlines);
+
 /// Measures outlines: the way past an edge is the length of the chord of five edges around it,
 /// divided by five. Straight walls of any direction come out within 2 %; each edge's share depends
-/// on its neighbourhood alone. Cost: linear in the outlines' length.
-/// `sides` of the edges, if they are not taken from the outlines.
-OutlineWays measure_ways(const Outlines& outlines,
-                         const std::vector<std::uint8_t>* sides = nullptr);
+/// on its neighbourhood alone (of an outline of less than kSmallOutline edges also on how many
+/// these are). Cost: linear in the outlines' length.
+OutlineWays measure_ways(const Outlines& outlines);
+/// Measures one, by its place in the list, anew.
+void measure_way(const Outlines& outlines, const std::vector<std::uint8_t>& sides,
+                 std::int32_t outline, OutlineWays& ways);
+constexpr std::int32_t kWayReach = 2, kSmallOutline = 8 * kWayReach;
 
 /// Where outlines turn towards their free side, as at the corners of a face.
 struct OutlineTurns {
@@ -54,8 +60,12 @@ struct TurnRule {
 /// An edge turns if the outline's heading, averaged over a quarter of the length, turns by the
 /// angle from half the length before it to half the length behind it. Headings of a raster's
 /// outline are right angles, whose sum is exact. Cost: linear in the outlines' length.
-/// `sides` as above.
-OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule,
-                        const std::vector<std::uint8_t>* sides = nullptr);
+OutlineTurns find_turns(const Outlines& outlines, const TurnRule& rule);
+/// Finds those of one, by its place in the list, anew.
+void find_turns(const Outlines& outlines, const std::vector<std::uint8_t>& sides,
+                std::int32_t outline, const TurnRule& rule, OutlineTurns& turns);
+/// Within how many edges of a change of its outline an edge can come to turn, or no longer; in an
+/// outline of less than four times as many edges anywhere.
+std::int32_t reach_of_turns(const TurnRule& rule);
 
 }  // namespace stope::topology

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "plugins/topology/connect_pieces.hpp"
+#include "plugins/topology/felt_changes.hpp"
 #include "plugins/topology/finish_roads.hpp"
 #include "plugins/topology/line_store.hpp"
 #include "plugins/topology/named_outlines.hpp"
@@ -38,15 +39,17 @@ CellWindow box_of(const std::vector<CellIndex>& cells, const FreeSpace& space) {
 }  // namespace
 
 struct RoadUpdater::State {
-  State(const GridFrame& grid_frame, Terrain terrain, std::vector<ReplacedEdge> replaced_edges,
-        std::vector<TracedLine> lines, const Checkpoint& checkpoint)
+  State(const ExtractionMethod& method, const GridFrame& grid_frame, Terrain terrain,
+        std::vector<ReplacedEdge> replaced_edges, std::vector<TracedLine> lines,
+        const Checkpoint& checkpoint)
       : frame(grid_frame),
         space(std::move(terrain.space)),
         edges(std::move(terrain.edges)),
         outlines(terrain.outlines, edges),
+        rule(method, frame, outlines.by_number, outlines.side_by_number),
         reach(space, checkpoint),
         replaced(std::move(replaced_edges)),
-        seen(space, edges, replaced),
+        seen(space, edges, outlines.by_name, replaced),
         scratch(space.width(), space.height()),
         stale(space.width(), space.height()),
         touched(space.width(), space.height()),
@@ -66,6 +69,7 @@ struct RoadUpdater::State {
   FreeSpace space;
   EdgeGrid edges;
   NamedOutlines outlines;
+  DividingRule rule;
   ColumnReach reach;
   std::vector<ReplacedEdge> replaced;
   SeenFrom seen;
@@ -99,8 +103,8 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
     const OutlineEdge* row = edges.padded_row(span.cells.row) + 1;
     before.insert(before.end(), row + span.cells.begin, row + span.cells.end);
   }
-  const RuleReach rule_reach = reach_of(method, frame);
-  const OutlineChange change = update_outlines(outlines, space, edges, window, rule_reach.edges);
+  const OutlineChange change = update_outlines(outlines, space, edges, window);
+  rule.renew(change.outlines, outlines.side_by_number);
   update_nearest_outline(spans, reach, space, outlines.by_name, edges);
 
   stale.clear();
@@ -127,25 +131,15 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
       if (column > last + TileSet::kSide) end_run();
       if (first > column) first = column;
       last = column;
-      seen.add(now[column], column, column, row);
+      seen.add(outlines.by_name, now[column], now[column], column, column, row);
     }
     end_run();
   }
-  if (rule_reach.everywhere || (rule_reach.by_regrouping && change.regrouped)) {
-    stale.add_all();
-  } else {
-    seen.add_tiles(change.near, stale);
-  }
-  std::vector<std::uint8_t> sides;
-  if (method.measures_outlines()) {
-    sides = outlines.sides_by_number();
-    outlines.place_by_number();
-  }
-  const DividingRule rule(method, frame, outlines.by_number, &sides);
+  add_tiles_of_felt_changes(method, outlines, rule, change, seen, stale);
   update_dividing_lines(space, outlines, rule.rule(), edges, stale, replacement, replaced, touched);
   for (const ReplacedEdge& cell : replaced)
-    seen.add(edges[cell.cell], edges.column(cell.cell), edges.column(cell.cell),
-             edges.row(cell.cell));
+    seen.add(outlines.by_name, edges[cell.cell], edges[cell.cell], edges.column(cell.cell),
+             edges.column(cell.cell), edges.row(cell.cell));
   LineTracer tracer(space, outlines.by_name, edges);
   store.update(tracer, space, touched);
   return true;
@@ -172,7 +166,7 @@ RoadGraph RoadUpdater::full(const OccupancyGrid& grid, const Checkpoint& checkpo
   if (!ColumnReach::fits(terrain.space))
     return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines), method_,
                         grid.frame, nullptr, checkpoint);
-  state_ = std::make_unique<State>(grid.frame, std::move(terrain), std::move(replaced),
+  state_ = std::make_unique<State>(method_, grid.frame, std::move(terrain), std::move(replaced),
                                    std::move(lines), checkpoint);
   return finish(checkpoint);
 }

@@ -50,10 +50,10 @@ class Remarker {
       was_replaced_.emplace(cell, replacement[i]);
     }
     for (const auto& [cell, nearest] : nearest_) {
-      const auto before = was_replaced_.find(cell);
-      if (before != was_replaced_.end() && before->second == edges_[cell]) continue;
-      touch_around(cell);
+      // What a cell sees that was given its edge can be far away, where the outline has changed.
       to_mark_.push_back(cell);
+      const auto before = was_replaced_.find(cell);
+      if (before == was_replaced_.end() || before->second != edges_[cell]) touch_around(cell);
     }
     for (const Divide divide : divides_) mark(divide);
     for (const Divide divide : marked_) mark(divide);

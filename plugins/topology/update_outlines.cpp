@@ -3,8 +3,9 @@
 // Idea: an edge's successor depends on the cells around its own cell only. So the edges of cells in
 // or beside the window are cut out of their outlines, which leaves chains of the others; the new
 // boundary is walked within the window, and where the walk leaves it, it goes on with the chain
-// that starts there. Numbers then follow from the chains by counting.
-// Cost: linear in the window's area and, with a small constant, in the outlines' length.
+// that starts there. The rings that come out get numbers that no outline has; all get new ones when
+// too many are unused.
+// Cost: linear in the window's area and, with a small constant, in the length of these outlines.
 #include <algorithm>
 #include <tuple>
 #include <unordered_map>
@@ -24,19 +25,19 @@ struct Chain {
 /// A new outline.
 struct Ring {
   std::vector<OutlineEdge> names;
+  std::vector<std::int32_t> breaks;  ///< places in `names` where an edge or a chain was added
   Outline outline;
-  Outlines::Place start;
+  std::size_t start = 0;  ///< of the outline, in `names`
 };
 
 class OutlineUpdate {
  public:
   OutlineUpdate(NamedOutlines& outlines, FreeSpace& space, EdgeGrid& edges,
-                const CellWindow& window, std::int32_t reach)
+                const CellWindow& window)
       : outlines_(outlines),
         named_(outlines.by_name),
         space_(space),
         edges_(edges),
-        reach_(reach),
         left_(std::max(window.column - 1, -1)),
         bottom_(std::max(window.row - 1, -1)),
         right_(std::min(window.column + window.width, space.width())),
@@ -48,8 +49,9 @@ class OutlineUpdate {
     renew_sides();
     make_chains();
     walk_all();
-    find_what_changed();
-    put_in_order();
+    for (Ring& ring : rings_) start_ring(ring);
+    for (const Ring& ring : rings_) find_runs(ring);
+    number_rings();
     return std::move(change_);
   }
 
@@ -121,12 +123,11 @@ class OutlineUpdate {
 
   void make_chains() {
     const std::vector<Outline>& list = outlines_.by_number.list;
-    touched_.assign(list.size(), false);
     for (auto begin = cuts_.begin(); begin != cuts_.end();) {
       const std::int32_t outline = outlines_.by_number.of_edge[at(*begin)];
       const Outline& whole = list[at(outline)];
       const auto end = std::lower_bound(begin, cuts_.end(), whole.first + whole.count);
-      touched_[at(outline)] = true;
+      touched_.push_back(outline);
       for (auto cut = begin; cut != end; ++cut) {
         const std::int32_t next = cut + 1 == end ? *begin + whole.count : *(cut + 1);
         if (next - *cut <= 1) continue;
@@ -155,10 +156,12 @@ class OutlineUpdate {
     int side = first.side;
     do {
       const OutlineEdge name = sides_of(cell)[at(side)];
+      ring.breaks.push_back(static_cast<std::int32_t>(ring.names.size()));
       ring.names.push_back(name);
       named_.of_edge[at(name)] = kVisited;
       go_on(cell, side);
       if (is_local(space_.column(cell), space_.row(cell))) continue;
+      ring.breaks.push_back(static_cast<std::int32_t>(ring.names.size()));
       append(chains_[chain_at_.at(sides_of(cell)[at(side)])], ring.names);
       const OutlineEdge last = ring.names.back();
       cell = space_.index(named_.place[at(last)].column, named_.place[at(last)].row);
@@ -190,31 +193,34 @@ class OutlineUpdate {
     side = (ahead + 2) % 4;
   }
 
-  /// Of each ring the runs of edges that were in a row before.
-  void find_what_changed() {
-    std::unordered_map<std::int32_t, std::size_t> ring_of;
-    for (std::size_t i = 0; i < rings_.size(); ++i) {
-      const std::vector<OutlineEdge>& names = rings_[i].names;
-      const auto old_number = [&](std::size_t place) {
-        return outlines_.number[at(names[place % names.size()])];
-      };
-      std::int32_t group = -1;
-      std::size_t begin = 0, count = names.size();
-      // From the first place where a run ends, all around.
-      while (begin < count && follows(old_number(begin), old_number(begin + 1))) ++begin;
-      if (begin == count) continue;
-      for (std::size_t k = begin + 1, run = 0; k <= begin + count; ++k, ++run) {
-        const std::int32_t own = old_number(k);
-        if (run == 0 && own >= 0) {
-          const std::int32_t outline = outlines_.by_number.of_edge[at(own)];
-          change_.regrouped = change_.regrouped || (group >= 0 && group != outline) ||
-                              ring_of.emplace(outline, i).first->second != i;
-          group = outline;
-        }
-        if (follows(own, old_number(k + 1))) continue;
-        if (own >= 0) add_near(names, k - run, run + 1);
-        run = static_cast<std::size_t>(-1);
-      }
+  /// The runs of a ring's edges that were in a row before. Such a run can only end at a break.
+  void find_runs(const Ring& ring) {
+    const std::size_t pieces = ring.breaks.size(), count = ring.names.size();
+    const auto begin_of = [&](std::size_t piece) {
+      return piece < pieces ? at(ring.breaks[piece]) : at(ring.breaks[piece - pieces]) + count;
+    };
+    const auto old_number = [&](std::size_t place) {
+      return outlines_.number[at(ring.names[place % count])];
+    };
+    const auto goes_on = [&](std::size_t piece) {
+      const std::size_t begin = begin_of(piece);
+      return follows(old_number(begin + count - 1), old_number(begin));
+    };
+    std::size_t first = 0;
+    while (first < pieces && goes_on(first)) ++first;
+    for (std::size_t piece = first; piece < first + pieces && first < pieces;) {
+      const std::size_t begin = begin_of(piece);
+      do ++piece;
+      while (piece < first + pieces && goes_on(piece));
+      const OutlineEdge number = old_number(begin);
+      if (number < 0) continue;
+      StayedRun run;
+      run.outline = static_cast<std::int32_t>(&ring - rings_.data());
+      run.first = static_cast<std::int32_t>((begin + count - ring.start) % count);
+      run.count = static_cast<std::int32_t>(begin_of(piece) - begin);
+      run.old_outline = outlines_.by_number.of_edge[at(number)];
+      run.old_outline_count = outlines_.by_number.list[at(run.old_outline)].count;
+      change_.runs.push_back(run);
     }
   }
   /// Whether one number came right behind another.
@@ -224,14 +230,6 @@ class OutlineUpdate {
     const Outline& whole = outlines_.by_number.list[at(outlines_.by_number.of_edge[at(first)])];
     return second == whole.first && first == whole.first + whole.count - 1;
   }
-  void add_near(const std::vector<OutlineEdge>& names, std::size_t first, std::size_t count) {
-    const std::size_t reach = std::min(at(reach_), count);
-    for (std::size_t i = 0; i < reach; ++i) {
-      change_.near.push_back(names[(first + i) % names.size()]);
-      change_.near.push_back(names[(first + count - 1 - i) % names.size()]);
-    }
-  }
-
   /// Lets a ring start where trace_outlines would, and measures its box.
   void start_ring(Ring& ring) {
     auto key = [&](OutlineEdge name) {
@@ -250,83 +248,86 @@ class OutlineUpdate {
       lowest = {row, column};
       first = i;
     }
-    std::rotate(ring.names.begin(), ring.names.begin() + static_cast<std::ptrdiff_t>(first),
-                ring.names.end());
-    ring.start = {lowest.second, lowest.first};
+    ring.start = first;
+    box.count = static_cast<std::int32_t>(ring.names.size());
   }
 
-  void put_in_order() {
-    for (Ring& ring : rings_) start_ring(ring);
-    std::sort(rings_.begin(), rings_.end(), [](const Ring& a, const Ring& b) {
-      return std::tie(a.start.row, a.start.column) < std::tie(b.start.row, b.start.column);
-    });
-    Outlines now;
-    now.gap = named_.gap;
-    std::vector<OutlineEdge> names;
-    names.reserve(outlines_.name.size() + locals_.size() + 1024);
-    const Outlines& old = outlines_.by_number;
-    std::size_t ring = 0, outline = 0;
-    const auto add = [&](Outline whole, const OutlineEdge* begin, std::int32_t count,
-                         bool same_numbers) {
-      whole.first = static_cast<OutlineEdge>(names.size());
-      whole.count = count;
-      names.insert(names.end(), begin, begin + count);
-      names.insert(names.end(), at(now.gap), -1);
-      if (!same_numbers) {
-        for (std::int32_t i = 0; i < count; ++i) {
-          outlines_.number[at(begin[i])] = whole.first + i;
-          named_.of_edge[at(begin[i])] = static_cast<std::int32_t>(now.list.size());
-        }
-      }
-      now.list.push_back(whole);
-    };
-    while (true) {
-      while (outline < old.list.size() && touched_[outline]) ++outline;
-      const bool more = outline < old.list.size();
-      if (!more && ring == rings_.size()) break;
-      const auto start_of = [&](const Outline& whole) {
-        return named_.place[at(outlines_.name[at(whole.first)])];
-      };
-      const auto comes_first = [](Outlines::Place a, Outlines::Place b) {
-        return std::tie(a.row, a.column) < std::tie(b.row, b.column);
-      };
-      if (ring < rings_.size() &&
-          (!more || comes_first(rings_[ring].start, start_of(old.list[outline])))) {
-        add(rings_[ring].outline, rings_[ring].names.data(),
-            static_cast<std::int32_t>(rings_[ring].names.size()), false);
-        ++ring;
-      } else {
-        const Outline& whole = old.list[outline];
-        add(whole, outlines_.name.data() + whole.first, whole.count,
-            at(whole.first) == names.size() && outline == now.list.size());
-        ++outline;
-      }
+  void number_rings() {
+    std::vector<Outline>& list = outlines_.by_number.list;
+    for (const std::int32_t place : touched_) {
+      list[at(place)].count = 0;
+      outlines_.unused.push_back(place);
     }
-    number_all(now, std::move(names));
-  }
-
-  void number_all(Outlines& now, std::vector<OutlineEdge> names) {
-    now.of_edge.resize(names.size(), -1);
-    for (std::size_t i = 0; i < now.list.size(); ++i) {
-      const Outline& whole = now.list[i];
-      std::fill_n(now.of_edge.begin() + whole.first, whole.count, static_cast<std::int32_t>(i));
+    for (const Ring& ring : rings_) {
+      if (outlines_.unused.empty()) {
+        outlines_.unused.push_back(static_cast<std::int32_t>(list.size()));
+        list.emplace_back();
+      }
+      change_.outlines.push_back(outlines_.unused.back());
+      outlines_.unused.pop_back();
+      list[at(change_.outlines.back())] = ring.outline;
+      const auto start = ring.names.begin() + static_cast<std::ptrdiff_t>(ring.start);
+      give_numbers(change_.outlines.back(), [&](OutlineEdge* names) {
+        std::rotate_copy(ring.names.begin(), start, ring.names.end(), names);
+      });
     }
-    outlines_.name = std::move(names);
-    outlines_.by_number = std::move(now);
-    named_.list = outlines_.by_number.list;
+    for (StayedRun& run : change_.runs) run.outline = change_.outlines[at(run.outline)];
+    std::size_t used = 0;
+    for (const Outline& outline : list) used += at(outline.count) + at(named_.gap);
+    if (outlines_.name.size() > 2 * used + kFewNumbers) number_all();
+    named_.list = list;
   }
 
+  /// Gives numbers that are not in use to an outline's edges, which `write` writes in order.
+  template <class Write>
+  void give_numbers(std::int32_t place, Write write) {
+    Outlines& numbered = outlines_.by_number;
+    Outline& whole = numbered.list[at(place)];
+    whole.first = static_cast<OutlineEdge>(outlines_.name.size());
+    const std::size_t size = outlines_.name.size() + at(whole.count) + at(named_.gap);
+    outlines_.name.resize(size, -1);
+    outlines_.side_by_number.resize(size);
+    numbered.place.resize(size);
+    numbered.of_edge.resize(size, -1);
+    write(outlines_.name.data() + whole.first);
+    for (OutlineEdge number = whole.first; number < whole.first + whole.count; ++number) {
+      const OutlineEdge name = outlines_.name[at(number)];
+      outlines_.number[at(name)] = number;
+      outlines_.side_by_number[at(number)] = outlines_.side[at(name)];
+      numbered.place[at(number)] = named_.place[at(name)];
+      numbered.of_edge[at(number)] = named_.of_edge[at(name)] = place;
+    }
+  }
+
+  void number_all() {
+    const std::vector<OutlineEdge> before = std::move(outlines_.name);
+    outlines_.name.clear();
+    outlines_.side_by_number.clear();
+    outlines_.by_number.place.clear();
+    outlines_.by_number.of_edge.clear();
+    change_.outlines.clear();
+    for (std::size_t i = 0; i < outlines_.by_number.list.size(); ++i) {
+      const Outline& whole = outlines_.by_number.list[i];
+      if (whole.count == 0) continue;
+      change_.outlines.push_back(static_cast<std::int32_t>(i));
+      const OutlineEdge* names = before.data() + whole.first;
+      give_numbers(change_.outlines.back(),
+                   [&](OutlineEdge* to) { std::copy_n(names, whole.count, to); });
+    }
+  }
+
+  static constexpr std::size_t kFewNumbers = 100000;
   static constexpr std::int32_t kUnvisited = -2, kVisited = -3;
 
   NamedOutlines& outlines_;
   Outlines& named_;
   FreeSpace& space_;
   EdgeGrid& edges_;
-  std::int32_t reach_, left_, bottom_, right_, top_;
+  std::int32_t left_, bottom_, right_, top_;
   std::array<CellIndex, 4> step_;
   std::vector<OutlineEdge> cuts_;  ///< numbers
   std::vector<Local> locals_;
-  std::vector<bool> touched_;  ///< by outline
+  std::vector<std::int32_t> touched_;  ///< places of outlines
   std::vector<Chain> chains_;
   std::unordered_map<OutlineEdge, std::size_t> chain_at_;
   std::vector<Ring> rings_;
@@ -349,24 +350,12 @@ NamedOutlines::NamedOutlines(const Outlines& outlines, const EdgeGrid& edges)
         static_cast<std::uint8_t>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
   }
   name = number;
-}
-
-std::vector<std::uint8_t> NamedOutlines::sides_by_number() const {
-  std::vector<std::uint8_t> result(name.size(), 0);
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if (name[i] >= 0) result[i] = side[at(name[i])];
-  return result;
-}
-
-void NamedOutlines::place_by_number() {
-  by_number.place.assign(name.size(), {});
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if (name[i] >= 0) by_number.place[i] = by_name.place[at(name[i])];
+  side_by_number = side;
 }
 
 OutlineChange update_outlines(NamedOutlines& outlines, FreeSpace& space, EdgeGrid& edges,
-                              const CellWindow& window, std::int32_t reach) {
-  return OutlineUpdate(outlines, space, edges, window, reach).run();
+                              const CellWindow& window) {
+  return OutlineUpdate(outlines, space, edges, window).run();
 }
 
 }  // namespace stope::topology
