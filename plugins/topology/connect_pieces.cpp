@@ -6,6 +6,7 @@
 #include <queue>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "plugins/topology/disjoint_sets.hpp"
 
@@ -15,11 +16,13 @@ namespace {
 class PieceConnector {
  public:
   PieceConnector(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                 std::vector<const TracedLine*> lines, const Checkpoint& checkpoint)
+                 std::vector<const TracedLine*> lines, Courses& courses,
+                 const Checkpoint& checkpoint)
       : space_(space),
         outlines_(outlines),
         edges_(edges),
         lines_(std::move(lines)),
+        courses_(courses),
         checkpoint_(checkpoint),
         stride_(space.stride()),
         pieces_(outlines.list.size()) {}
@@ -32,7 +35,7 @@ class PieceConnector {
     for (std::size_t i = 0; i < lines_.size(); ++i) groups.add(i, *lines_[i], piece_of(*lines_[i]));
     const std::vector<std::int32_t> torn = torn_pieces(groups);
     if (!torn.empty()) leave_out_fragments(groups);
-    LineNetwork network;
+    LineNetwork network(courses_);
     if (torn.empty() || torn_pieces(groups).empty()) {
       std::vector<const TracedLine*> kept;
       for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -43,7 +46,7 @@ class PieceConnector {
         }
       }
       std::erase_if(groups.ends.of_line, [](const auto& ends) { return ends.first == kLeftOut; });
-      network = to_network(kept, groups.ends);
+      network = to_network(kept, groups.ends, courses_);
     } else {
       // A new trace brings fragments back, so they are linked as well.
       network = linked_within(torn);
@@ -77,7 +80,7 @@ class PieceConnector {
     void add(std::size_t place, const TracedLine& line, std::int32_t piece_of_line) {
       const std::size_t group = of_line(place);
       piece[group] = piece_of_line;
-      points[group] += line.points.size();
+      points[group] += line.corners.size() + 1;
     }
     LineEnds ends;
     DisjointSets connected;
@@ -125,16 +128,34 @@ class PieceConnector {
     return torn;
   }
 
+  /// Lines that links end on are traced anew, with nodes there.
   LineNetwork linked_within(const std::vector<std::int32_t>& torn) {
     const std::vector<Link> links = links_within(torn);
-    LineTracer tracer(space_, outlines_, edges_);
+    std::unordered_set<CellIndex> link_ends;
+    for (const Link& link : links) link_ends.insert({link.from, link.to});
+    LineTracer tracer(space_, outlines_, edges_, courses_);
     std::vector<CellIndex> corners;
+    std::vector<const TracedLine*> whole;
     for (const TracedLine* line : lines_) {
+      if (std::none_of(line->corners.begin(), line->corners.end(),
+                       [&](CellIndex corner) { return link_ends.contains(corner); })) {
+        whole.push_back(line);
+        continue;
+      }
       tracer.forget(*line);
       corners.insert(corners.end(), line->corners.begin(), line->corners.end());
     }
     checkpoint_();
-    return to_network(list_of(trace_lines(space_, outlines_, edges_, corners, links)));
+    for (const CellIndex corner : link_ends) space_[corner] |= kEndsHere;
+    std::vector<TracedLine> split = trace_lines(tracer, corners);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      split.push_back(tracer.link(links[i], static_cast<std::int32_t>(i)));
+    for (const CellIndex corner : link_ends)
+      space_[corner] &= static_cast<std::uint8_t>(~kEndsHere);
+    for (const TracedLine& line : split) whole.push_back(&line);
+    std::sort(whole.begin(), whole.end(),
+              [](const TracedLine* a, const TracedLine* b) { return comes_first(*a, *b); });
+    return to_network(whole, courses_);
   }
 
   std::vector<Link> links_within(const std::vector<std::int32_t>& torn) {
@@ -266,6 +287,7 @@ class PieceConnector {
   const Outlines& outlines_;
   const EdgeGrid& edges_;
   std::vector<const TracedLine*> lines_;
+  Courses& courses_;
   const Checkpoint& checkpoint_;
   CellIndex stride_;
   DisjointSets pieces_;
@@ -275,8 +297,9 @@ class PieceConnector {
 }  // namespace
 
 LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           std::vector<const TracedLine*> lines, const Checkpoint& checkpoint) {
-  return PieceConnector(space, outlines, edges, std::move(lines), checkpoint).run();
+                           std::vector<const TracedLine*> lines, Courses& courses,
+                           const Checkpoint& checkpoint) {
+  return PieceConnector(space, outlines, edges, std::move(lines), courses, checkpoint).run();
 }
 
 }  // namespace stope::topology

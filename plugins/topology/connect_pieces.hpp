@@ -12,7 +12,7 @@ namespace stope::topology {
 /// greatest clearance; a piece without any line (a round yard) gets one node, at its widest place.
 /// A link joins what was apart, so it adds no cycle.
 LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           std::vector<const TracedLine*> lines,
+                           std::vector<const TracedLine*> lines, Courses& courses,
                            const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

@@ -1,38 +1,55 @@
 #include "plugins/topology/drop_narrow.hpp"
 
-#include <algorithm>
-
 namespace stope::topology {
 namespace {
 
-bool wide(const LinePoint& point, double least) { return point.distance >= least; }
+/// The parts of a course that are wide enough. `number` says whether the first has the course's
+/// begin (1) and the last its end (2).
+Courses::Made wide_parts(Courses& courses, CourseId course, double least) {
+  const CourseView points = courses.view(course);
+  const auto narrow = [&](std::size_t i) { return points[i].distance < least; };
+  std::vector<std::pair<std::size_t, std::size_t>> runs;
+  Courses::Made made;
+  for (std::size_t begin = 0; begin < points.size();) {
+    while (begin < points.size() && narrow(begin)) ++begin;
+    std::size_t end = begin;
+    while (end < points.size() && !narrow(end)) ++end;
+    if (end - begin >= 2) {
+      if (begin == 0) made.number |= 1;
+      if (end == points.size()) made.number |= 2;
+      runs.emplace_back(begin, end);
+    }
+    begin = end;
+  }
+  for (const auto& [begin, end] : runs) made.courses.push_back(courses.part(course, begin, end));
+  return made;
+}
 
 }  // namespace
 
 void drop_narrow(LineNetwork& network, double least_distance) {
-  for (auto& node : network.nodes) node.alone = node.alone && wide(node.point, least_distance);
+  Courses& courses = *network.courses;
+  for (auto& node : network.nodes) node.alone = node.alone && node.point.distance >= least_distance;
   const std::size_t count = network.lines.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const auto narrow = [&](const LinePoint& point) { return !wide(point, least_distance); };
-    const auto& points = network.lines[i].points;
-    if (std::none_of(points.begin(), points.end(), narrow)) continue;
-    const Line line = std::move(network.lines[i]);
-    network.lines[i].points.clear();
-    for (auto begin = line.points.begin(); begin != line.points.end();) {
-      begin = std::find_if_not(begin, line.points.end(), narrow);
-      const auto end = std::find_if(begin, line.points.end(), narrow);
-      if (end - begin >= 2) {
-        Line part{line.from, line.to, {begin, end}, 0};
-        part.length = length_of(part.points);
-        const auto new_end = [&](const LinePoint& point) {
-          network.nodes.push_back({point, false});
-          return static_cast<std::int32_t>(network.nodes.size() - 1);
-        };
-        if (begin != line.points.begin()) part.from = new_end(part.points.front());
-        if (end != line.points.end()) part.to = new_end(part.points.back());
-        network.lines.push_back(std::move(part));
-      }
-      begin = end;
+    const Line line = network.lines[i];
+    if (courses.least_distance(line.course) >= least_distance) continue;
+    CourseKey key(CourseKey::kWideParts);
+    key.add(courses.name(line.course)).add(least_distance);
+    const Courses::Made parts =
+        courses.make(key, [&] { return wide_parts(courses, line.course, least_distance); });
+    network.set_course(network.lines[i], kNoCourse);
+    for (std::size_t k = 0; k < parts.courses.size(); ++k) {
+      const CourseId course = parts.courses[k];
+      const auto new_end = [&](const LinePoint& point) {
+        network.nodes.push_back({point, false});
+        return static_cast<std::int32_t>(network.nodes.size() - 1);
+      };
+      Line part{line.from, line.to, course, courses.length(course)};
+      if (k > 0 || !(parts.number & 1)) part.from = new_end(courses.view(course).front());
+      if (k + 1 < parts.courses.size() || !(parts.number & 2))
+        part.to = new_end(courses.view(course).back());
+      network.lines.push_back(part);
     }
   }
   network.tidy();

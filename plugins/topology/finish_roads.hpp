@@ -6,9 +6,11 @@
 
 namespace stope::topology {
 
-/// From dividing lines, given in order, to the graph. `memo`, if given, knows finished roads.
+/// From dividing lines, given in order, to the graph. `courses` are theirs; `memo`, if given, knows
+/// finished roads.
 RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                       const std::vector<const TracedLine*>& lines, const ExtractionMethod& method,
-                       const GridFrame& frame, RoadMemo* memo, const Checkpoint& checkpoint);
+                       const std::vector<const TracedLine*>& lines, Courses& courses,
+                       const ExtractionMethod& method, const GridFrame& frame, RoadMemo* memo,
+                       const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

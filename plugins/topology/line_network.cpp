@@ -1,69 +1,94 @@
 #include "plugins/topology/line_network.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace stope::topology {
 namespace {
 
-void reverse(Line& line) {
-  std::swap(line.from, line.to);
-  std::reverse(line.points.begin(), line.points.end());
-}
+std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
+
+/// Makes one line of those that follow each other from node to node where no other line ends.
+class ChainJoiner {
+ public:
+  explicit ChainJoiner(LineNetwork& network)
+      : network_(network), at_nodes_(network), taken_(network.lines.size(), false) {}
+
+  std::vector<Line> run() {
+    const auto nodes = static_cast<std::int32_t>(network_.nodes.size());
+    for (std::int32_t node = 0; node < nodes; ++node) {
+      if (is_joint(node)) continue;
+      for (const std::int32_t line : at_nodes_[node])
+        if (!taken_[at(line)]) follow(node, line);
+    }
+    // Rings without a junction.
+    for (std::int32_t node = 0; node < nodes; ++node)
+      if (is_joint(node) && !taken_[at(at_nodes_[node][0])]) follow(node, at_nodes_[node][0]);
+    return std::move(result_);
+  }
+
+ private:
+  bool is_joint(std::int32_t node) const {
+    const auto lines = at_nodes_[node];
+    return lines.size() == 2 && lines[0] != lines[1];
+  }
+
+  void follow(std::int32_t start, std::int32_t name) {
+    std::vector<CourseId> courses;
+    std::int32_t node = start;
+    while (true) {
+      taken_[at(name)] = true;
+      const Line& line = network_.lines[at(name)];
+      const bool forwards = line.from == node;
+      courses.push_back(forwards ? line.course : backwards(line.course));
+      node = forwards ? line.to : line.from;
+      if (node == start || !is_joint(node)) break;
+      const auto lines = at_nodes_[node];
+      name = lines[lines[0] == name ? 1 : 0];
+    }
+    if (courses.size() == 1) {
+      result_.push_back(network_.lines[at(name)]);
+      return;
+    }
+    const CourseId whole = network_.courses->joined(courses);
+    for (const CourseId course : courses) network_.courses->drop(course);
+    result_.push_back({start, node, whole, network_.courses->length(whole)});
+  }
+
+  LineNetwork& network_;
+  LinesAtNodes at_nodes_;
+  std::vector<bool> taken_;
+  std::vector<Line> result_;
+};
 
 }  // namespace
 
-double distance_between(const LinePoint& a, const LinePoint& b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
-}
-
-double length_of(const std::vector<LinePoint>& points) {
-  double sum = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += distance_between(points[i - 1], points[i]);
-  return sum;
-}
-
-std::vector<std::vector<std::int32_t>> LineNetwork::lines_at_nodes() const {
-  std::vector<std::vector<std::int32_t>> result(nodes.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i].erased()) continue;
-    result[static_cast<std::size_t>(lines[i].from)].push_back(static_cast<std::int32_t>(i));
-    result[static_cast<std::size_t>(lines[i].to)].push_back(static_cast<std::int32_t>(i));
+LinesAtNodes::LinesAtNodes(const LineNetwork& network) : begin_(network.nodes.size() + 1, 0) {
+  for (const Line& line : network.lines) {
+    if (line.erased()) continue;
+    ++begin_[at(line.from) + 1], ++begin_[at(line.to) + 1];
   }
-  return result;
+  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  lines_.resize(begin_.back());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t i = 0; i < network.lines.size(); ++i) {
+    const Line& line = network.lines[i];
+    if (line.erased()) continue;
+    lines_[next[at(line.from)]++] = static_cast<std::int32_t>(i);
+    lines_[next[at(line.to)]++] = static_cast<std::int32_t>(i);
+  }
 }
 
 void LineNetwork::tidy() {
-  auto at_nodes = lines_at_nodes();
-  for (std::size_t node = 0; node < nodes.size(); ++node) {
-    if (at_nodes[node].size() != 2 || at_nodes[node][0] == at_nodes[node][1]) continue;
-    const std::int32_t kept = at_nodes[node][0], gone = at_nodes[node][1];
-    Line& first = lines[static_cast<std::size_t>(kept)];
-    Line& second = lines[static_cast<std::size_t>(gone)];
-    if (first.to != static_cast<std::int32_t>(node)) reverse(first);
-    if (second.from != static_cast<std::int32_t>(node)) reverse(second);
-    first.points.insert(first.points.end(), second.points.begin() + 1, second.points.end());
-    first.length += second.length;
-    first.to = second.to;
-    second.points.clear();
-    auto& at_end = at_nodes[static_cast<std::size_t>(first.to)];
-    *std::find(at_end.begin(), at_end.end(), gone) = kept;
-    at_nodes[node].clear();
-  }
-  std::erase_if(lines, [](const Line& line) { return line.erased(); });
+  lines = ChainJoiner(*this).run();
   std::vector<std::int32_t> place(nodes.size(), -1);
-  for (const Line& line : lines)
-    place[static_cast<std::size_t>(line.from)] = place[static_cast<std::size_t>(line.to)] = 0;
+  for (const Line& line : lines) place[at(line.from)] = place[at(line.to)] = 0;
   std::vector<Node> used;
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     if (place[node] < 0 && !nodes[node].alone) continue;
     place[node] = static_cast<std::int32_t>(used.size());
     used.push_back(nodes[node]);
   }
-  for (Line& line : lines) {
-    line.from = place[static_cast<std::size_t>(line.from)];
-    line.to = place[static_cast<std::size_t>(line.to)];
-  }
+  for (Line& line : lines) line.from = place[at(line.from)], line.to = place[at(line.to)];
   nodes = std::move(used);
 }
 

@@ -75,4 +75,11 @@ std::vector<const TracedLine*> LineStore::list() const {
   return list;
 }
 
+std::vector<CourseId> LineStore::courses() const {
+  std::vector<CourseId> courses;
+  courses.reserve(entries_.size());
+  for (const auto& entry : entries_) courses.push_back(entry->line.course);
+  return courses;
+}
+
 }  // namespace stope::topology

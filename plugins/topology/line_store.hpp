@@ -16,6 +16,7 @@ class LineStore {
   /// Traces the lines that pass the tiles anew, after their marks or the edges seen there changed.
   void update(LineTracer& tracer, const FreeSpace& space, const TileSet& tiles);
   std::vector<const TracedLine*> list() const;
+  std::vector<CourseId> courses() const;
 
  private:
   struct Entry {

@@ -13,7 +13,15 @@ std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
 class JunctionMerger {
  public:
   JunctionMerger(LineNetwork& network, double share, bool to_rim)
-      : network_(network), share_(share), to_rim_(to_rim), at_nodes_(network.lines_at_nodes()) {}
+      : network_(network),
+        courses_(*network.courses),
+        share_(share),
+        to_rim_(to_rim),
+        at_nodes_(network.nodes.size()) {
+    for (std::size_t i = 0; i < network.lines.size(); ++i)
+      for (const std::int32_t node : {network.lines[i].from, network.lines[i].to})
+        at_nodes_[at(node)].push_back(static_cast<std::int32_t>(i));
+  }
 
   void run() {
     for (std::size_t i = 0; i < network_.lines.size(); ++i) offer(static_cast<std::int32_t>(i));
@@ -37,8 +45,8 @@ class JunctionMerger {
   bool mergeable(const Line& line) const {
     if (line.from == line.to) return false;
     if (at_nodes_[at(line.from)].size() < 3 || at_nodes_[at(line.to)].size() < 3) return false;
-    const double reach =
-        share_ * std::min(line.points.front().distance, line.points.back().distance);
+    const double reach = share_ * std::min(network_.nodes[at(line.from)].point.distance,
+                                           network_.nodes[at(line.to)].point.distance);
     if (line.length > reach) return false;
     const auto joins = [&](std::int32_t other) {
       const Line& o = network_.lines[at(other)];
@@ -50,11 +58,11 @@ class JunctionMerger {
 
   void merge(std::int32_t name) {
     const Line line = network_.lines[at(name)];
-    network_.lines[at(name)].points.clear();
     const LinePoint middle = middle_of(line);
-    const double reach =
-        std::max({distance_between(middle, line.points.front()),
-                  distance_between(middle, line.points.back()), to_rim_ ? middle.distance : 0.0});
+    const double reach = std::max({distance_between(middle, network_.points(line).front()),
+                                   distance_between(middle, network_.points(line).back()),
+                                   to_rim_ ? middle.distance : 0.0});
+    network_.set_course(network_.lines[at(name)], kNoCourse);
     std::vector<std::int32_t> around;
     for (const std::int32_t node : {line.from, line.to})
       for (const std::int32_t other : at_nodes_[at(node)])
@@ -65,11 +73,9 @@ class JunctionMerger {
       if (moved.from == line.from || moved.from == line.to)
         move_start(moved, line.from, middle, reach);
       if (moved.to == line.from || moved.to == line.to) {
-        std::reverse(moved.points.begin(), moved.points.end());
-        std::swap(moved.from, moved.to);
+        moved.reverse();
         move_start(moved, line.from, middle, reach);
-        std::reverse(moved.points.begin(), moved.points.end());
-        std::swap(moved.from, moved.to);
+        moved.reverse();
       }
     }
     network_.nodes[at(line.from)].point = middle;
@@ -78,10 +84,11 @@ class JunctionMerger {
     for (const std::int32_t other : around) offer(other);
   }
 
-  static LinePoint middle_of(const Line& line) {
+  LinePoint middle_of(const Line& line) const {
+    const CourseView points = network_.points(line);
     double left = line.length / 2;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      const LinePoint &a = line.points[i - 1], &b = line.points[i];
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const LinePoint &a = points[i - 1], &b = points[i];
       const double step = distance_between(a, b);
       if (step > 0 && left <= step) {
         const double part = left / step;
@@ -90,22 +97,27 @@ class JunctionMerger {
       }
       left -= step;
     }
-    return line.points.back();
+    return points.back();
   }
 
   /// Lets a line start at a junction's new place, straight from where it leaves the junction.
-  static void move_start(Line& line, std::int32_t node, const LinePoint& place, double reach) {
+  void move_start(Line& line, std::int32_t node, const LinePoint& place, double reach) {
     line.from = node;
-    std::size_t first = 1;
-    while (first + 1 < line.points.size() && distance_between(line.points[first], place) <= reach)
-      ++first;
-    line.points.erase(line.points.begin(),
-                      line.points.begin() + static_cast<std::ptrdiff_t>(first) - 1);
-    line.points.front() = place;
-    line.length = length_of(line.points);
+    CourseKey key(CourseKey::kMoved);
+    key.add(courses_.name(line.course)).add(place).add(reach);
+    const Courses::Made moved = courses_.make(key, [&] {
+      const CourseView points = network_.points(line);
+      std::size_t first = 1;
+      while (first + 1 < points.size() && distance_between(points[first], place) <= reach) ++first;
+      std::vector<LinePoint> rest = points.copy(first - 1, points.size());
+      rest.front() = place;
+      return Courses::Made{{courses_.add(std::move(rest))}, {}, 0};
+    });
+    network_.set_course(line, moved.courses[0]);
   }
 
   LineNetwork& network_;
+  Courses& courses_;
   double share_;
   bool to_rim_;
   std::vector<std::vector<std::int32_t>> at_nodes_;

@@ -16,8 +16,9 @@ class SpurPruner {
  public:
   SpurPruner(LineNetwork& network, const SpurRule& rule)
       : network_(network),
+        courses_(*network.courses),
         rule_(rule),
-        at_nodes_(network.lines_at_nodes()),
+        at_nodes_(network),
         open_ends_(network.nodes.size()),
         burn_(network.nodes.size()),
         longest_(network.nodes.size(), -1),
@@ -25,7 +26,7 @@ class SpurPruner {
         widest_(network.nodes.size()),
         first_kept_(network.lines.size(), 0) {
     for (std::size_t i = 0; i < network.nodes.size(); ++i) {
-      open_ends_[i] = at_nodes_[i].size();
+      open_ends_[i] = at_nodes_[static_cast<std::int32_t>(i)].size();
       burn_[i] = network.nodes[i].point.distance;
       widest_[i] = network.nodes[i].point;
     }
@@ -60,7 +61,7 @@ class SpurPruner {
       const std::int32_t tip = fire.top().second;
       fire.pop();
       if (open_ends_[at(tip)] != 1) continue;
-      const auto& around = at_nodes_[at(tip)];
+      const auto around = at_nodes_[tip];
       const std::int32_t name =
           *std::find_if(around.begin(), around.end(), [&](auto line) { return !burnt[at(line)]; });
       burnt[at(name)] = true;
@@ -87,45 +88,50 @@ class SpurPruner {
 
   /// The last line of a tree burns from both ends: it is cut where the fires meet.
   void meet_on(std::int32_t name, std::int32_t tip, std::int32_t root) {
-    Line& line = network_.lines[at(name)];
+    Line line = network_.lines[at(name)];
+    if (network_.points(line).size() == 2) network_.set_course(line, with_middle(line.course));
+    const CourseView points = network_.points(line);
     double way = (burn_[at(root)] + line.length - burn_[at(tip)]) / 2;
     std::size_t middle = 1;
-    for (; middle + 2 < line.points.size() && way > 0; ++middle)
-      way -= distance_between(line.points[middle - 1], line.points[middle]);
-    if (line.points.size() == 2) {
-      const LinePoint &a = line.points[0], &b = line.points[1];
-      line.points.insert(line.points.begin() + 1,
-                         {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.distance + b.distance) / 2});
-    }
+    for (; middle + 2 < points.size() && way > 0; ++middle)
+      way -= distance_between(points[middle - 1], points[middle]);
     const auto node = static_cast<std::int32_t>(network_.nodes.size());
-    const LinePoint point = line.points[middle];
+    const LinePoint point = points[middle];
     network_.nodes.push_back({point, false});
-    at_nodes_.push_back({});
     open_ends_.push_back(2);
     burn_.push_back(point.distance);
     longest_.push_back(-1);
     carries_road_.push_back(false);
     widest_.push_back(point);
-    Line other{root,
-               node,
-               {line.points.rbegin(), line.points.rend() - static_cast<std::ptrdiff_t>(middle)},
-               0};
-    other.length = length_of(other.points);
-    line.points.resize(middle + 1);
-    line.length = length_of(line.points);
+    const CourseId behind = courses_.part(line.course, middle, points.size());
+    Line other{root, node, backwards(behind), courses_.length(behind)};
+    network_.set_course(line, courses_.part(line.course, 0, middle + 1));
     line.to = node;
-    network_.lines.push_back(std::move(other));
+    network_.lines[at(name)] = line;
+    network_.lines.push_back(other);
     first_kept_.push_back(0);
     burn_branch(name, tip, node);
     burn_branch(static_cast<std::int32_t>(network_.lines.size()) - 1, root, node);
     middles_.push_back(node);
   }
 
+  /// A course of two points with a third between.
+  CourseId with_middle(CourseId course) {
+    CourseKey key(CourseKey::kMiddle);
+    key.add(courses_.name(course));
+    return courses_
+        .make(key,
+              [&] {
+                const LinePoint a = courses_.view(course).front(), b = courses_.view(course).back();
+                const LinePoint middle{(a.x + b.x) / 2, (a.y + b.y) / 2,
+                                       (a.distance + b.distance) / 2};
+                return Courses::Made{{courses_.add({a, middle, b})}, {}, 0};
+              })
+        .courses[0];
+  }
+
   static std::int32_t point_at_root(Line& line, std::int32_t tip) {
-    if (line.from != tip) {
-      std::swap(line.from, line.to);
-      std::reverse(line.points.begin(), line.points.end());
-    }
+    if (line.from != tip) line.reverse();
     return line.to;
   }
 
@@ -138,8 +144,7 @@ class SpurPruner {
       carries_road_[at(branch.root)] = true;
     } else {
       widen(branch.root, widest_[at(branch.tip)]);
-      for (const LinePoint& point : network_.lines[at(branch.line)].points)
-        widen(branch.root, point);
+      widen(branch.root, courses_.widest(network_.lines[at(branch.line)].course));
     }
   }
 
@@ -147,18 +152,32 @@ class SpurPruner {
   void complete(const Branch& branch) {
     if (!std::binary_search(middles_.begin(), middles_.end(), branch.root)) return;
     if (!carries_road_[at(branch.root)] || first_kept_[at(branch.line)] >= 0) return;
-    keep_up_to_face(branch.line,
-                    static_cast<std::int32_t>(network_.lines[at(branch.line)].points.size()) - 1);
+    keep_up_to_face(branch.line, last_point(branch.line));
   }
 
   void widen(std::int32_t node, const LinePoint& point) {
     if (point.distance > widest_[at(node)].distance) widest_[at(node)] = point;
   }
 
+  std::int32_t last_point(std::int32_t line) const {
+    return static_cast<std::int32_t>(network_.points(network_.lines[at(line)]).size()) - 1;
+  }
+
   /// The first point from the tip whose reach satisfies the rule, or -1.
   std::int32_t proof_of_road(const Branch& branch) const {
-    const auto& points = network_.lines[at(branch.line)].points;
-    double way = burn_[at(branch.tip)];
+    const CourseId course = network_.lines[at(branch.line)].course;
+    const double burn = burn_[at(branch.tip)];
+    CourseKey key(CourseKey::kProof);
+    key.add(courses_.name(course)).add(burn);
+    return courses_
+        .make(key,
+              [&] {
+                return Courses::Made{{}, {}, proof_of_road(courses_.view(course), burn)};
+              })
+        .number;
+  }
+
+  std::int32_t proof_of_road(const CourseView& points, double way) const {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i > 0) way += distance_between(points[i - 1], points[i]);
       const double own = points[i].distance;
@@ -168,46 +187,59 @@ class SpurPruner {
     return -1;
   }
 
+  /// Along the longest branches, from a point of the first one.
   void keep_up_to_face(std::int32_t line, std::int32_t point) {
-    double way = 0, best = -1;
     std::vector<std::int32_t> lines;
-    std::size_t last_line = 0;
-    std::int32_t last_point = point;
-    while (line >= 0) {
-      const auto& points = network_.lines[at(line)].points;
+    CourseKey key(CourseKey::kFace);
+    key.add(std::int64_t{point});
+    for (; line >= 0; line = longest_[at(network_.lines[at(line)].from)]) {
       lines.push_back(line);
+      key.add(courses_.name(network_.lines[at(line)].course));
+    }
+    const Courses::Made face = courses_.make(key, [&] { return find_face(lines, point); });
+    const auto last = static_cast<std::size_t>(face.place.x);
+    for (std::size_t i = 0; i < last; ++i) first_kept_[at(lines[i])] = 0;
+    first_kept_[at(lines[last])] = face.number;
+  }
+
+  /// Where distance and way travelled together are largest: the point as the number, its line's
+  /// place in the list as x.
+  Courses::Made find_face(const std::vector<std::int32_t>& lines, std::int32_t point) const {
+    double way = 0, best = -1;
+    Courses::Made face;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const CourseView points = network_.points(network_.lines[at(lines[k])]);
+      if (k > 0) point = last_point(lines[k]);
       for (std::int32_t i = point; i >= 0; --i) {
         if (at(i) + 1 < points.size() && i != point)
           way += distance_between(points[at(i)], points[at(i) + 1]);
         const double score = points[at(i)].distance + kTravelWeight * way;
         if (score <= best) continue;
         best = score;
-        last_line = lines.size() - 1;
-        last_point = i;
+        face.place.x = static_cast<double>(k);
+        face.number = i;
       }
-      line = longest_[at(network_.lines[at(line)].from)];
-      if (line >= 0) point = static_cast<std::int32_t>(network_.lines[at(line)].points.size()) - 1;
     }
-    for (std::size_t i = 0; i < last_line; ++i) first_kept_[at(lines[i])] = 0;
-    first_kept_[at(lines[last_line])] = last_point;
+    return face;
   }
 
   void apply(const Branch& branch) {
     Line& line = network_.lines[at(branch.line)];
     const std::int32_t first = first_kept_[at(branch.line)];
-    if (first < 0 || at(first) + 1 >= line.points.size()) {
+    const std::size_t count = network_.points(line).size();
+    if (first < 0 || at(first) + 1 >= count) {
       // Cut right at its root: the road ends in the node there.
-      line.points.clear();
+      network_.set_course(line, kNoCourse);
     } else if (first > 0) {
-      line.points.erase(line.points.begin(), line.points.begin() + first);
-      line.length = length_of(line.points);
-      network_.nodes[at(branch.tip)].point = line.points.front();
+      network_.set_course(line, courses_.part(line.course, at(first), count));
+      network_.nodes[at(branch.tip)].point = network_.points(line).front();
     }
   }
 
   LineNetwork& network_;
+  Courses& courses_;
   SpurRule rule_;
-  std::vector<std::vector<std::int32_t>> at_nodes_;
+  LinesAtNodes at_nodes_;
   std::vector<std::size_t> open_ends_;
   std::vector<double> burn_;              ///< by node: when the fire came, in cells
   std::vector<std::int32_t> longest_;     ///< by node: the branch that burnt longest, or -1

@@ -1,28 +1,30 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
-#include "plugins/topology/line_network.hpp"
+#include "plugins/topology/courses.hpp"
 #include "plugins/topology/tile_set.hpp"
 #include "stope/payloads/road_graph.hpp"
 
 namespace stope::topology {
 
-/// A centre line in its final form.
+/// A centre line in its final form, measured and in the direction that a canonical graph gives it.
 struct FinishedRoad {
   std::vector<RoadVertex> vertices;
-  double width = 0;
+  RoadEdge edge;                         ///< but for its places in a graph
+  std::array<std::uint64_t, 2> nodes{};  ///< ids of the nodes at its first and its last vertex
 };
 
-/// Remembers what became of centre lines, for as long as neither they nor the distances around them
-/// change.
+/// Remembers what became of courses, for as long as the distances around them do not change.
 class RoadMemo {
  public:
-  /// What became of these points before, or null.
-  const FinishedRoad* find(const std::vector<LinePoint>& points);
+  /// What became of the course of this name before, or null.
+  const FinishedRoad* find(std::int64_t name);
   /// `places` are the points whose surroundings have been looked at.
-  const FinishedRoad& add(const std::vector<LinePoint>& points, FinishedRoad road,
+  const FinishedRoad& add(std::int64_t name, FinishedRoad road,
                           const std::vector<LinePoint>& places);
   /// Forgets the roads that were not asked for since the last call, and those of which a place lies
   /// in one of the tiles, which those of later calls belong to.
@@ -31,14 +33,12 @@ class RoadMemo {
 
  private:
   struct Entry {
-    std::vector<LinePoint> points;
     FinishedRoad road;
     std::vector<std::int32_t> tiles;
     bool used = true;
   };
-  static std::uint64_t key_of(const std::vector<LinePoint>& points);
 
-  std::unordered_multimap<std::uint64_t, Entry> entries_;
+  std::unordered_map<std::int64_t, Entry> entries_;
   const TileSet* tiles_ = nullptr;
   CellIndex stride_ = 0;
 };

@@ -40,8 +40,8 @@ CellWindow box_of(const std::vector<CellIndex>& cells, const FreeSpace& space) {
 
 struct RoadUpdater::State {
   State(const ExtractionMethod& method, const GridFrame& grid_frame, Terrain terrain,
-        std::vector<ReplacedEdge> replaced_edges, std::vector<TracedLine> lines,
-        const Checkpoint& checkpoint)
+        std::vector<ReplacedEdge> replaced_edges, std::unique_ptr<Courses> courses_of_lines,
+        std::vector<TracedLine> lines, const Checkpoint& checkpoint)
       : frame(grid_frame),
         space(std::move(terrain.space)),
         edges(std::move(terrain.edges)),
@@ -53,6 +53,7 @@ struct RoadUpdater::State {
         scratch(space.width(), space.height()),
         stale(space.width(), space.height()),
         touched(space.width(), space.height()),
+        courses(std::move(courses_of_lines)),
         store(std::move(lines), stale),
         names_at_first(outlines.number.size()) {
     memo.use_tiles(touched, space.stride());
@@ -75,9 +76,9 @@ struct RoadUpdater::State {
   SeenFrom seen;
   PaddedGrid<std::uint8_t> scratch;
   TileSet stale, touched;
+  std::unique_ptr<Courses> courses;
   LineStore store;
   RoadMemo memo;
-  RoadGraph roads;  ///< the last ones
   std::int64_t free_cells = 0;
   std::size_t names_at_first;
 };
@@ -140,7 +141,7 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
   for (const ReplacedEdge& cell : replaced)
     seen.add(outlines.by_name, edges[cell.cell], edges[cell.cell], edges.column(cell.cell),
              edges.column(cell.cell), edges.row(cell.cell));
-  LineTracer tracer(space, outlines.by_name, edges);
+  LineTracer tracer(space, outlines.by_name, edges, *courses);
   store.update(tracer, space, touched);
   return true;
 }
@@ -160,14 +161,15 @@ RoadGraph RoadUpdater::full(const OccupancyGrid& grid, const Checkpoint& checkpo
     corners = find_dividing_lines(terrain.space, terrain.outlines, rule.rule(), terrain.edges,
                                   checkpoint, &replaced);
   }
-  std::vector<TracedLine> lines =
-      trace_lines(terrain.space, terrain.outlines, terrain.edges, corners, {});
+  auto courses = std::make_unique<Courses>(ColumnReach::fits(terrain.space));
+  LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, *courses);
+  std::vector<TracedLine> lines = trace_lines(tracer, corners);
   checkpoint();
   if (!ColumnReach::fits(terrain.space))
-    return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines), method_,
-                        grid.frame, nullptr, checkpoint);
+    return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines), *courses,
+                        method_, grid.frame, nullptr, checkpoint);
   state_ = std::make_unique<State>(method_, grid.frame, std::move(terrain), std::move(replaced),
-                                   std::move(lines), checkpoint);
+                                   std::move(courses), std::move(lines), checkpoint);
   return finish(checkpoint);
 }
 
@@ -176,8 +178,8 @@ RoadGraph RoadUpdater::finish(const Checkpoint& checkpoint) {
   std::unique_ptr<State> state = std::move(state_);
   RoadGraph roads =
       finish_roads(state->space, state->outlines.by_name, state->edges, state->store.list(),
-                   method_, state->frame, &state->memo, checkpoint);
-  state->roads = roads;
+                   *state->courses, method_, state->frame, &state->memo, checkpoint);
+  state->courses->forget_unused(state->store.courses());
   state_ = std::move(state);
   return roads;
 }
@@ -199,7 +201,7 @@ RoadGraph RoadUpdater::update(const OccupancyGrid& grid, const CellWindow& windo
   State& s = *state_;
   const std::vector<CellIndex> flipped = find_flipped_cells(
       grid, method_.occupancy(), method_.least_obstacle(grid.frame), inside, s.space, s.scratch);
-  if (flipped.empty()) return s.roads;
+  if (flipped.empty()) return finish(checkpoint);
   std::unique_ptr<State> state = std::move(state_);
   if (!state->update(method_, flipped)) return full(grid, checkpoint);
   state_ = std::move(state);

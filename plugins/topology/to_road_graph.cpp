@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "plugins/topology/assemble_roads.hpp"
 #include "plugins/topology/simplify_line.hpp"
 
 namespace stope::topology {
@@ -75,35 +77,32 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
                         const FreeSpace& space, const GridFrame& frame, const LineStyle& style,
                         const Checkpoint& checkpoint, RoadMemo* memo) {
   const DistanceField field(outlines, edges, space);
-  RoadGraph graph;
+  std::vector<RoadNode> nodes;
   for (const auto& node : network.nodes) {
     const RoadVertex vertex = to_vertex(node.point, frame);
-    graph.nodes.push_back({0, vertex.x, vertex.y, vertex.z});
+    nodes.push_back({0, vertex.x, vertex.y, vertex.z});
   }
-  const auto finish = [&](const std::vector<LinePoint>& points) {
+  std::vector<const FinishedRoad*> roads;
+  std::vector<std::unique_ptr<FinishedRoad>> made;
+  const auto finish = [&](const Line& line) {
+    const std::vector<LinePoint> points = network.points(line).copy();
     std::vector<LinePoint> smooth = smooth_line(points, kSmoothingReach, style.smoothing);
     for (LinePoint& point : smooth) point.distance = field.at(point);
-    FinishedRoad road;
+    std::vector<RoadVertex> vertices;
     for (const LinePoint& point : simplify_line(smooth, style.tolerance / frame.resolution))
-      road.vertices.push_back(to_vertex(point, frame));
-    road.width = 2 * median_clearance(smooth) * frame.resolution;
-    return memo ? memo->add(points, std::move(road), smooth) : road;
+      vertices.push_back(to_vertex(point, frame));
+    const double width = 2 * median_clearance(smooth) * frame.resolution;
+    FinishedRoad road = settle_road(std::move(vertices), width, line.from == line.to);
+    if (memo) return &memo->add(network.courses->name(line.course), std::move(road), smooth);
+    made.push_back(std::make_unique<FinishedRoad>(std::move(road)));
+    return static_cast<const FinishedRoad*>(made.back().get());
   };
   for (const Line& line : network.lines) {
     checkpoint();
-    const FinishedRoad* known = memo ? memo->find(line.points) : nullptr;
-    const FinishedRoad road = known ? *known : finish(line.points);
-    RoadEdge edge;
-    edge.from = static_cast<std::uint32_t>(line.from);
-    edge.to = static_cast<std::uint32_t>(line.to);
-    edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
-    edge.vertex_count = static_cast<std::uint32_t>(road.vertices.size());
-    graph.vertices.insert(graph.vertices.end(), road.vertices.begin(), road.vertices.end());
-    edge.width = road.width;
-    graph.edges.push_back(edge);
+    const FinishedRoad* known = memo ? memo->find(network.courses->name(line.course)) : nullptr;
+    roads.push_back(known ? known : finish(line));
   }
-  canonicalize(graph);
-  return graph;
+  return assemble_roads(network, nodes, roads);
 }
 
 }  // namespace stope::topology

@@ -94,27 +94,27 @@ void LineTracer::trace_from(CellIndex start, std::vector<TracedLine>& lines) {
     line.sides = {
         edge_towards(step.cell, step.north ? kNorth : kEast),
         edge_towards(step.cell + (step.north ? stride_ : 1), step.north ? kSouth : kWest)};
-    line.points.push_back(node(start));
+    std::vector<LinePoint> points{node(start)};
     line.corners.push_back(start);
     CellIndex corner = start;
     while (true) {
       space_[step.cell] |= step.north ? kTracedNorth : kTracedEast;
-      line.points.push_back(point(step));
+      points.push_back(point(step));
       corner = other_end(step, corner);
       line.corners.push_back(corner);
       if (corner == start || ends_at(corner)) break;
       step = steps(corner, true).list[0];
     }
-    line.points.push_back(node(corner));
-    if (corner < start) turn_round(line, step);
-    line.length = length_of(line.points);
+    points.push_back(node(corner));
+    if (corner < start) turn_round(line, points, step);
+    line.course = courses_.add(std::move(points));
     lines.push_back(std::move(line));
   }
 }
 
 /// Lets a line start at its other end, with what was its last step.
-void LineTracer::turn_round(TracedLine& line, Divide last) const {
-  std::reverse(line.points.begin(), line.points.end());
+void LineTracer::turn_round(TracedLine& line, std::vector<LinePoint>& points, Divide last) const {
+  std::reverse(points.begin(), points.end());
   std::reverse(line.corners.begin(), line.corners.end());
   const Steps around = steps(line.from(), false);
   for (std::size_t i = 0; i < around.count; ++i)
@@ -152,19 +152,19 @@ void LineTracer::trace(const std::vector<CellIndex>& corners, std::vector<Traced
     if (steps(corner, true).count > 0) trace_from(ring_start(corner), lines);
 }
 
-TracedLine LineTracer::link(const Link& link, std::int32_t rank) const {
+TracedLine LineTracer::link(const Link& link, std::int32_t rank) {
   constexpr std::int32_t kWaysOfSteps = 4;
   TracedLine line;
   line.corners = {link.from, link.to};
   line.way = kWaysOfSteps + rank;
   line.sides = {-1, -1};
-  line.points.push_back(node(link.from));
+  std::vector<LinePoint> points{node(link.from)};
   for (const CellIndex cell : link.cells) {
     const std::int64_t squared = squared_distance(edges_, outlines_, cell, edges_[cell]);
-    line.points.push_back(centre(cell, std::sqrt(static_cast<double>(squared))));
+    points.push_back(centre(cell, std::sqrt(static_cast<double>(squared))));
   }
-  line.points.push_back(node(link.to));
-  line.length = length_of(line.points);
+  points.push_back(node(link.to));
+  line.course = courses_.add(std::move(points));
   return line;
 }
 
@@ -177,22 +177,9 @@ void LineTracer::forget(const TracedLine& line) {
   }
 }
 
-std::vector<TracedLine> trace_lines(FreeSpace& space, const Outlines& outlines,
-                                    const EdgeGrid& edges, const std::vector<CellIndex>& corners,
-                                    const std::vector<Link>& links) {
-  LineTracer tracer(space, outlines, edges);
+std::vector<TracedLine> trace_lines(LineTracer& tracer, const std::vector<CellIndex>& corners) {
   std::vector<TracedLine> lines;
-  for (const Link& link : links) {
-    space[link.from] |= kEndsHere;
-    space[link.to] |= kEndsHere;
-  }
   tracer.trace(corners, lines);
-  for (std::size_t i = 0; i < links.size(); ++i)
-    lines.push_back(tracer.link(links[i], static_cast<std::int32_t>(i)));
-  for (const Link& link : links) {
-    space[link.from] &= static_cast<std::uint8_t>(~kEndsHere);
-    space[link.to] &= static_cast<std::uint8_t>(~kEndsHere);
-  }
   std::sort(lines.begin(), lines.end(), comes_first);
   return lines;
 }
@@ -212,19 +199,21 @@ LineEnds::LineEnds(const std::vector<const TracedLine*>& lines) {
     of_line.emplace_back(place_of(line->from()), place_of(line->to()));
 }
 
-LineNetwork to_network(const std::vector<const TracedLine*>& lines) {
-  return to_network(lines, LineEnds(lines));
+LineNetwork to_network(const std::vector<const TracedLine*>& lines, Courses& courses) {
+  return to_network(lines, LineEnds(lines), courses);
 }
 
-LineNetwork to_network(const std::vector<const TracedLine*>& lines, const LineEnds& ends) {
-  LineNetwork network;
+LineNetwork to_network(const std::vector<const TracedLine*>& lines, const LineEnds& ends,
+                       Courses& courses) {
+  LineNetwork network(courses);
   network.nodes.resize(ends.corner.size());
   network.lines.reserve(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::int32_t from = ends.of_line[i].first, to = ends.of_line[i].second;
-    network.nodes[static_cast<std::size_t>(from)].point = lines[i]->points.front();
-    network.nodes[static_cast<std::size_t>(to)].point = lines[i]->points.back();
-    network.lines.push_back({from, to, lines[i]->points, lines[i]->length});
+    const CourseId course = lines[i]->course;
+    network.nodes[static_cast<std::size_t>(from)].point = courses.view(course).front();
+    network.nodes[static_cast<std::size_t>(to)].point = courses.view(course).back();
+    network.lines.push_back({from, to, course, courses.length(course)});
   }
   return network;
 }

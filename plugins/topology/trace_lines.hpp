@@ -21,8 +21,7 @@ struct TracedLine {
   std::vector<CellIndex> corners;      ///< that it passes, both ends included
   std::int32_t way = 0;                ///< its rank among those that start at its first corner
   std::array<OutlineEdge, 2> sides{};  ///< an edge of the outline to either side, or -1: none
-  std::vector<LinePoint> points;       ///< one a step, and before and behind them the nodes'
-  double length = 0;                   ///< of the points
+  CourseId course = kNoCourse;         ///< a point a step, and before and behind them the nodes'
   CellIndex from() const { return corners.front(); }
   CellIndex to() const { return corners.back(); }
 };
@@ -38,13 +37,17 @@ inline bool comes_first(const TracedLine& a, const TracedLine& b) {
 /// their centres that is equally far from both.
 class LineTracer {
  public:
-  LineTracer(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges)
-      : space_(space), outlines_(outlines), edges_(edges), stride_(space.stride()) {}
+  LineTracer(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges, Courses& courses)
+      : space_(space),
+        outlines_(outlines),
+        edges_(edges),
+        courses_(courses),
+        stride_(space.stride()) {}
 
   /// Appends all lines not traced yet that pass one of the corners.
   void trace(const std::vector<CellIndex>& corners, std::vector<TracedLine>& lines);
   /// The line that a link becomes; the corners it joins must be nodes.
-  TracedLine link(const Link& link, std::int32_t rank) const;
+  TracedLine link(const Link& link, std::int32_t rank);
   /// Makes the steps of a line count as not traced.
   void forget(const TracedLine& line);
 
@@ -60,7 +63,7 @@ class LineTracer {
   CellIndex other_end(Divide step, CellIndex corner) const;
   CellIndex ring_start(CellIndex corner) const;
   void trace_from(CellIndex start, std::vector<TracedLine>& lines);
-  void turn_round(TracedLine& line, Divide last) const;
+  void turn_round(TracedLine& line, std::vector<LinePoint>& points, Divide last) const;
   LinePoint centre(CellIndex cell, double distance) const;
   LinePoint point(Divide step) const;
   LinePoint node(CellIndex corner) const;
@@ -70,25 +73,26 @@ class LineTracer {
   FreeSpace& space_;
   const Outlines& outlines_;
   const EdgeGrid& edges_;
+  Courses& courses_;
   CellIndex stride_;
 };
 
-/// All dividing lines, in order. Cost: linear in the lines' length.
-std::vector<TracedLine> trace_lines(FreeSpace& space, const Outlines& outlines,
-                                    const EdgeGrid& edges, const std::vector<CellIndex>& corners,
-                                    const std::vector<Link>& links);
+/// All dividing lines that pass the corners, in order. Cost: linear in the lines' length.
+std::vector<TracedLine> trace_lines(LineTracer& tracer, const std::vector<CellIndex>& corners);
 
 /// Which corners lines end at.
 struct LineEnds {
+  LineEnds() = default;
   explicit LineEnds(const std::vector<const TracedLine*>& lines);
   std::vector<CellIndex> corner;                               ///< by node, ascending
   std::vector<std::pair<std::int32_t, std::int32_t>> of_line;  ///< nodes it starts and ends at
 };
 
 /// Lines in order as a network; its nodes are in the order of their corners.
-LineNetwork to_network(const std::vector<const TracedLine*>& lines);
+LineNetwork to_network(const std::vector<const TracedLine*>& lines, Courses& courses);
 /// `ends` may have nodes that no line ends at.
-LineNetwork to_network(const std::vector<const TracedLine*>& lines, const LineEnds& ends);
+LineNetwork to_network(const std::vector<const TracedLine*>& lines, const LineEnds& ends,
+                       Courses& courses);
 
 std::vector<const TracedLine*> list_of(const std::vector<TracedLine>& lines);
 

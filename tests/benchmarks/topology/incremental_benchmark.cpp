@@ -2,16 +2,19 @@
 // computation of everything.
 //
 //   taskset -c 0 build/bin/incremental_benchmark [--changes N] [--check-every N] [--side N]
+//                                                [--only TEXT, of a case's name]
 //
 // Grids as in topology_benchmark. The changes follow each other without a fresh start: discs of
 // obstacle or free space, walls and lanes across the window, rough faces, all blocked, all free,
-// single cells, nothing at all; windows lie anywhere, also across the map's border. Prints the
-// thread's own CPU time per update, the copy of the graph included, and how many graphs were equal.
+// single cells, nothing at all; windows lie anywhere, also across the map's border, and in the mine
+// also once only where free space is: most others lie in solid rock. Prints the thread's own CPU
+// time per update, the graph included, and how many graphs were equal.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 
 #include "plugins/topology/road_updater.hpp"
 #include "stope/digest.hpp"
@@ -24,6 +27,7 @@ namespace {
 struct Options {
   int changes = 1000, check_every = 1;
   std::int32_t side = 200;
+  std::string only;
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -32,8 +36,23 @@ double quantile(std::vector<double> values, double share) {
   return values[place];
 }
 
-void run(const char* name, OccupancyGrid grid, const ExtractionMethod& method,
-         const Options& options) {
+/// A window anywhere, or one with a free cell.
+CellWindow window_in(const OccupancyGrid& grid, std::int32_t side, bool where_free,
+                     Random& random) {
+  while (true) {
+    const CellWindow window = draw_window(grid, side, random);
+    if (!where_free) return window;
+    for (std::int32_t y = window.row; y < window.row + side; ++y)
+      for (std::int32_t x = window.column; x < window.column + side; ++x)
+        if (grid.frame.contains({x, y}) &&
+            grid.cells[grid.frame.place({x, y})] == OccupancyGrid::kFree)
+          return window;
+  }
+}
+
+void run(const std::string& name, OccupancyGrid grid, const ExtractionMethod& method,
+         bool where_free, const Options& options) {
+  if (name.find(options.only) == std::string::npos) return;
   constexpr std::array<const char*, kChangeKinds> kNames{
       "obstacle appears", "obstacle goes", "road is cut", "road opens", "rough faces",
       "all blocked",      "all free",      "speckles",    "nothing"};
@@ -50,8 +69,8 @@ void run(const char* name, OccupancyGrid grid, const ExtractionMethod& method,
   int checked = 0, equal = 0;
   for (int i = 0; i < options.changes; ++i) {
     const int kind = i % kChangeKinds;
-    const CellWindow window =
-        change_at_random(grid, options.side, static_cast<ChangeKind>(kind), random);
+    const CellWindow window = window_in(grid, options.side, where_free, random);
+    change_within(grid, window, static_cast<ChangeKind>(kind), random);
     start = now_ms();
     roads = updater.update(grid, window);
     times.push_back(now_ms() - start);
@@ -72,15 +91,21 @@ void run(const char* name, OccupancyGrid grid, const ExtractionMethod& method,
   std::fflush(stdout);
 }
 
-void run_all(const char* name, const OccupancyGrid& grid, const Options& options) {
+void run_all(const std::string& name, const OccupancyGrid& grid, bool where_free,
+             const Options& options) {
   using Kind = ExtractionMethod::Kind;
-  ExtractionMethod method;
-  for (const auto& [stage, kind] :
-       {std::pair("voronoi", Kind::kVoronoi), std::pair("watershed", Kind::kWatershed),
-        std::pair("skeleton", Kind::kSkeleton)}) {
+  const auto run_one = [&](const char* member, Kind kind, SkeletonParams::Pruning pruning) {
+    ExtractionMethod method;
     method.kind = kind;
-    run(fmt::format("{}, {}", name, stage).c_str(), grid, method, options);
-  }
+    method.skeleton.pruning = pruning;
+    run(fmt::format("{}, {}", name, member), grid, method, where_free, options);
+  };
+  constexpr auto kResidual = SkeletonParams::Pruning::kChordResidual;
+  run_one("voronoi", Kind::kVoronoi, kResidual);
+  run_one("watershed of obstacles", Kind::kWatershed, kResidual);
+  run_one("watershed of outline parts", Kind::kWatershedParts, kResidual);
+  run_one("skeleton by chord residual", Kind::kSkeleton, kResidual);
+  run_one("skeleton by lambda", Kind::kSkeleton, SkeletonParams::Pruning::kLambda);
 }
 
 }  // namespace
@@ -94,10 +119,13 @@ int main(int argc, char** argv) {
     if (!std::strcmp(argv[i], "--check-every"))
       options.check_every = std::max(1, std::atoi(argv[i + 1]));
     if (!std::strcmp(argv[i], "--side")) options.side = std::atoi(argv[i + 1]);
+    if (!std::strcmp(argv[i], "--only")) options.only = argv[i + 1];
   }
   cv::setNumThreads(1);
-  run_all("Synthetic", synthetic(), options);
+  run_all("60 % free", synthetic(), false, options);
   const cv::Mat image = read_mine();
-  if (!image.empty())
-    run_all("Window of the mine", fullest_window(from_image(image, 0.1)), options);
+  if (image.empty()) return 0;
+  const OccupancyGrid mine = fullest_window(from_image(image, 0.1));
+  run_all("Mine", mine, false, options);
+  run_all("Mine where it is free", mine, true, options);
 }

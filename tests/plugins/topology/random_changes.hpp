@@ -24,15 +24,22 @@ enum class ChangeKind {
 };
 constexpr int kChangeKinds = 9;
 
-/// Changes a grid within a window of at most `side` x `side` cells, which may reach beyond the
-/// border, and returns the window.
-inline CellWindow change_at_random(OccupancyGrid& grid, std::int32_t side, ChangeKind kind,
-                                   Random& random) {
-  const auto draw = [&](std::int32_t low, std::int32_t high) {
-    return low + static_cast<std::int32_t>(random.uniform() * (high - low + 1));
-  };
-  const std::int32_t column = draw(-side / 2, grid.frame.width - side / 2);
-  const std::int32_t row = draw(-side / 2, grid.frame.height - side / 2);
+/// A whole number from `low` to `high`.
+inline std::int32_t draw(std::int32_t low, std::int32_t high, Random& random) {
+  return low + static_cast<std::int32_t>(random.uniform() * (high - low + 1));
+}
+
+/// A window of `side` x `side` cells, which may reach beyond the grid's border.
+inline CellWindow draw_window(const OccupancyGrid& grid, std::int32_t side, Random& random) {
+  const std::int32_t column = draw(-side / 2, grid.frame.width - side / 2, random);
+  const std::int32_t row = draw(-side / 2, grid.frame.height - side / 2, random);
+  return {column, row, side, side};
+}
+
+/// Changes a grid within a window.
+inline void change_within(OccupancyGrid& grid, const CellWindow& window, ChangeKind kind,
+                          Random& random) {
+  const std::int32_t column = window.column, row = window.row, side = window.width;
   const auto set = [&](std::int32_t x, std::int32_t y, std::uint8_t value) {
     if (x < column || y < row || x >= column + side || y >= row + side) return;
     if (grid.frame.contains({x, y})) grid.cells[grid.frame.place({x, y})] = value;
@@ -97,12 +104,20 @@ inline CellWindow change_at_random(OccupancyGrid& grid, std::int32_t side, Chang
       fill(OccupancyGrid::kFree);
       break;
     case ChangeKind::kSpeckles:
-      for (int i = 0; i < 12; ++i) flip(draw(column, column + side), draw(row, row + side));
+      for (int i = 0; i < 12; ++i)
+        flip(draw(column, column + side, random), draw(row, row + side, random));
       break;
     case ChangeKind::kNothing:
       break;
   }
-  return {column, row, side, side};
+}
+
+/// The same in a window anywhere, which it returns.
+inline CellWindow change_at_random(OccupancyGrid& grid, std::int32_t side, ChangeKind kind,
+                                   Random& random) {
+  const CellWindow window = draw_window(grid, side, random);
+  change_within(grid, window, kind, random);
+  return window;
 }
 
 }  // namespace stope::topology
