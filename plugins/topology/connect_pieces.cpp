@@ -16,12 +16,13 @@ namespace {
 class PieceConnector {
  public:
   PieceConnector(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                 std::vector<const TracedLine*> lines, Courses& courses,
+                 std::vector<const TracedLine*> lines, const LineEnds& ends, Courses& courses,
                  const Checkpoint& checkpoint)
       : space_(space),
         outlines_(outlines),
         edges_(edges),
         lines_(std::move(lines)),
+        ends_(ends),
         courses_(courses),
         checkpoint_(checkpoint),
         stride_(space.stride()),
@@ -31,7 +32,7 @@ class PieceConnector {
     // Outlines on both sides of a line bound the same piece of free space.
     for (const TracedLine* line : lines_)
       pieces_.join(outline_of(line->sides[0]), outline_of(line->sides[1]));
-    Groups groups(lines_);
+    Groups groups(ends_);
     for (std::size_t i = 0; i < lines_.size(); ++i) groups.add(i, *lines_[i], piece_of(*lines_[i]));
     const std::vector<std::int32_t> torn = torn_pieces(groups);
     if (!torn.empty()) leave_out_fragments(groups);
@@ -64,8 +65,8 @@ class PieceConnector {
   static constexpr std::int32_t kLeftOut = -1;
   /// Which lines hang together. A group is named by its first node.
   struct Groups {
-    explicit Groups(const std::vector<const TracedLine*>& lines)
-        : ends(lines),
+    explicit Groups(const LineEnds& ends_of_lines)
+        : ends(ends_of_lines),
           connected(ends.corner.size()),
           piece(ends.corner.size(), -1),
           points(ends.corner.size(), 0),
@@ -183,7 +184,7 @@ class PieceConnector {
   }
 
   std::vector<Group> find_groups(const std::vector<std::int32_t>& torn) {
-    Groups connected(lines_);
+    Groups connected(ends_);
     std::vector<std::int32_t> name(connected.ends.corner.size(), -1);
     std::vector<Group> groups;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -287,6 +288,7 @@ class PieceConnector {
   const Outlines& outlines_;
   const EdgeGrid& edges_;
   std::vector<const TracedLine*> lines_;
+  const LineEnds& ends_;
   Courses& courses_;
   const Checkpoint& checkpoint_;
   CellIndex stride_;
@@ -297,9 +299,9 @@ class PieceConnector {
 }  // namespace
 
 LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           std::vector<const TracedLine*> lines, Courses& courses,
-                           const Checkpoint& checkpoint) {
-  return PieceConnector(space, outlines, edges, std::move(lines), courses, checkpoint).run();
+                           std::vector<const TracedLine*> lines, const LineEnds& ends,
+                           Courses& courses, const Checkpoint& checkpoint) {
+  return PieceConnector(space, outlines, edges, std::move(lines), ends, courses, checkpoint).run();
 }
 
 }  // namespace stope::topology

@@ -4,15 +4,15 @@
 
 namespace stope::topology {
 
-/// The dividing lines, given in order, as one connected network for each piece of free space
-/// (8-connected).
+/// The dividing lines, given in order with the corners they end at, as one connected network for
+/// each piece of free space (8-connected).
 ///
 /// Dividing lines between sides are connected wherever no hole hides in a notch shorter than the
 /// bound of the side rule. Where one does, its lines are linked to the rest along the way of
 /// greatest clearance; a piece without any line (a round yard) gets one node, at its widest place.
 /// A link joins what was apart, so it adds no cycle.
 LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           std::vector<const TracedLine*> lines, Courses& courses,
-                           const Checkpoint& checkpoint = never_stop);
+                           std::vector<const TracedLine*> lines, const LineEnds& ends,
+                           Courses& courses, const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

@@ -28,22 +28,18 @@ std::vector<LinePoint> CourseView::copy(std::size_t first, std::size_t last) con
   return points;
 }
 
-std::size_t CourseKey::Hash::operator()(const CourseKey& key) const {
-  std::uint64_t hash = key.words_.size();
-  for (const std::uint64_t word : key.words_) {
-    hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
-    hash ^= hash >> 29;
-  }
-  return hash;
-}
-
 CourseId Courses::add(std::vector<LinePoint> points) {
   const double length = length_of(points);
   return add(std::move(points), length);
 }
 
 CourseId Courses::add(std::vector<LinePoint> points, double length) {
-  Course course{std::move(points), length, 0, {}, ++serials_};
+  Course course;
+  course.points = std::move(points);
+  course.length = length;
+  course.serial = ++serials_;
+  course.ends[0] = course.points.front();
+  course.ends[1] = course.points.back();
   const auto [least, most] = std::minmax_element(
       course.points.begin(), course.points.end(),
       [](const LinePoint& a, const LinePoint& b) { return a.distance < b.distance; });
@@ -85,7 +81,7 @@ CourseId Courses::joined(const std::vector<CourseId>& courses) {
 }
 
 void Courses::drop(CourseId course) {
-  if (!with_memory_) courses_[place(course)].points = {};
+  if (used_once_) courses_[place(course)].points = {};
 }
 
 void Courses::forget_unused(const std::vector<CourseId>& lasting) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <unordered_map>
@@ -51,37 +54,40 @@ class CourseView {
 /// What is made of courses, and of what: a step's name, the courses and the numbers it depends on.
 class CourseKey {
  public:
-  enum Step : std::uint64_t {
-    kPart,
-    kJoined,
-    kWideParts,
-    kMiddle,
-    kProof,
-    kFace,
-    kMoved,
-    kStraightened
-  };
-  explicit CourseKey(Step step) : words_{step} {}
-  CourseKey& add(std::int64_t number) {
-    words_.push_back(static_cast<std::uint64_t>(number));
-    return *this;
-  }
-  CourseKey& add(double number) {
-    words_.push_back(std::bit_cast<std::uint64_t>(number));
-    return *this;
-  }
+  enum Step : std::uint64_t { kPart, kJoined, kWideParts, kMiddle, kFace, kMoved, kStraightened };
+  explicit CourseKey(Step step) { add_word(step); }
+  CourseKey& add(std::int64_t number) { return add_word(static_cast<std::uint64_t>(number)); }
+  CourseKey& add(double number) { return add_word(std::bit_cast<std::uint64_t>(number)); }
   CourseKey& add(const LinePoint& point) { return add(point.x).add(point.y).add(point.distance); }
-  bool operator==(const CourseKey&) const = default;
+  bool operator==(const CourseKey& other) const {
+    return count_ == other.count_ && hash_ == other.hash_ && more_ == other.more_ &&
+           std::equal(few_.begin(), few_.begin() + std::min(count_, few_.size()),
+                      other.few_.begin());
+  }
   struct Hash {
-    std::size_t operator()(const CourseKey& key) const;
+    std::size_t operator()(const CourseKey& key) const { return key.hash_; }
   };
 
  private:
-  std::vector<std::uint64_t> words_;
+  CourseKey& add_word(std::uint64_t word) {
+    hash_ = (hash_ ^ word) * 0x9E3779B97F4A7C15ULL;
+    hash_ ^= hash_ >> 29;
+    // Most keys are short enough to need no memory of their own.
+    if (count_ < few_.size())
+      few_[count_] = word;
+    else
+      more_.push_back(word);
+    ++count_;
+    return *this;
+  }
+  std::array<std::uint64_t, 8> few_{};
+  std::vector<std::uint64_t> more_;
+  std::size_t count_ = 0;
+  std::uint64_t hash_ = 0;
 };
 
-/// The points of centre lines. They never change, so that lines share them; and with memory, what
-/// has been made of some before is found instead of made again.
+/// The points of centre lines. They never change, so that lines share them, and what has been made
+/// of some before is found instead of made again.
 class Courses {
  public:
   struct Made {
@@ -90,7 +96,8 @@ class Courses {
     std::int32_t number = 0;
   };
 
-  explicit Courses(bool with_memory) : with_memory_(with_memory) {}
+  /// `used_once`: nothing is asked for twice, so points may go as soon as others are made of them.
+  explicit Courses(bool used_once) : used_once_(used_once) {}
   Courses(const Courses&) = delete;
   Courses& operator=(const Courses&) = delete;
 
@@ -98,6 +105,8 @@ class Courses {
   CourseId add(std::vector<LinePoint> points, double length);
 
   CourseView view(CourseId course) const { return {of(course).points, (course & 1) != 0}; }
+  const LinePoint& front(CourseId course) const { return of(course).ends[course & 1]; }
+  const LinePoint& back(CourseId course) const { return of(course).ends[~course & 1]; }
   double length(CourseId course) const { return of(course).length; }
   double least_distance(CourseId course) const { return of(course).least_distance; }
   /// Of several places with the largest distance a fixed one.
@@ -111,29 +120,40 @@ class Courses {
   CourseId joined(const std::vector<CourseId>& courses);
   /// What `make` gives, which must depend on the key alone.
   template <class Make>
-  Made make(const CourseKey& key, Make make) {
-    if (!with_memory_) return make();
+  const Made& make(const CourseKey& key, Make make) {
     if (const auto known = memory_.find(key); known != memory_.end()) {
       known->second.used = true;
       return known->second.made;
     }
     Made made = make();
-    memory_.emplace(key, Entry{made, true});
-    return made;
+    return memory_.emplace(key, Entry{std::move(made), true}).first->second.made;
+  }
+  /// A number that `count` gives, which must depend on the course in its direction and on
+  /// `argument` alone. Only the last argument's is remembered.
+  template <class Count>
+  std::int32_t number(CourseId course, double argument, Count count) {
+    Note& note = courses_[place(course)].notes[course & 1];
+    if (note.argument != argument) note = {argument, count()};
+    return note.number;
   }
 
-  /// Without memory: nobody will ask for it any more.
+  /// Nobody will ask for it any more, if each is used but once.
   void drop(CourseId course);
-  /// With memory: forgets now and then what nobody has asked for since the last time, and all
+  /// Forgets now and then what nobody has asked for since the last time, and all
   /// courses but the `lasting` ones that were made of nothing.
   void forget_unused(const std::vector<CourseId>& lasting);
 
  private:
+  struct Note {
+    double argument = std::numeric_limits<double>::quiet_NaN();
+    std::int32_t number = 0;
+  };
   struct Course {
     std::vector<LinePoint> points;
     double length = 0, least_distance = 0;
-    LinePoint widest;
     std::int64_t serial = 0;
+    LinePoint ends[2], widest;
+    Note notes[2];  ///< by direction
   };
   struct Entry {
     Made made;
@@ -142,7 +162,7 @@ class Courses {
   static std::size_t place(CourseId course) { return static_cast<std::size_t>(course / 2); }
   const Course& of(CourseId course) const { return courses_[place(course)]; }
 
-  bool with_memory_;
+  bool used_once_;
   std::vector<Course> courses_;
   std::vector<CourseId> unused_;
   std::int64_t serials_ = 0;

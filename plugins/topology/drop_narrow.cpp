@@ -36,7 +36,7 @@ void drop_narrow(LineNetwork& network, double least_distance) {
     if (courses.least_distance(line.course) >= least_distance) continue;
     CourseKey key(CourseKey::kWideParts);
     key.add(courses.name(line.course)).add(least_distance);
-    const Courses::Made parts =
+    const Courses::Made& parts =
         courses.make(key, [&] { return wide_parts(courses, line.course, least_distance); });
     network.set_course(network.lines[i], kNoCourse);
     for (std::size_t k = 0; k < parts.courses.size(); ++k) {
@@ -46,9 +46,9 @@ void drop_narrow(LineNetwork& network, double least_distance) {
         return static_cast<std::int32_t>(network.nodes.size() - 1);
       };
       Line part{line.from, line.to, course, courses.length(course)};
-      if (k > 0 || !(parts.number & 1)) part.from = new_end(courses.view(course).front());
+      if (k > 0 || !(parts.number & 1)) part.from = new_end(courses.front(course));
       if (k + 1 < parts.courses.size() || !(parts.number & 2))
-        part.to = new_end(courses.view(course).back());
+        part.to = new_end(courses.back(course));
       network.lines.push_back(part);
     }
   }

@@ -14,12 +14,12 @@ RoadGraph extract_roads(const OccupancyGrid& grid, const ExtractionMethod& metho
     corners = find_dividing_lines(terrain.space, terrain.outlines, rule.rule(), terrain.edges,
                                   checkpoint);
   }
-  Courses courses(false);
+  Courses courses(true);
   LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, courses);
   const std::vector<TracedLine> lines = trace_lines(tracer, corners);
   checkpoint();
-  return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines), courses,
-                      method, grid.frame, nullptr, checkpoint);
+  return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines),
+                      LineEnds(list_of(lines)), courses, method, grid.frame, nullptr, checkpoint);
 }
 
 RoadGraph watershed_roads(const OccupancyGrid& grid, const ExtractionParams& params,

@@ -4,14 +4,12 @@
 // rule looks at, now or before. Going along the runs of edges that stayed, from where they end:
 // - Whether edges are within the gap can change for edges within the gap of an end.
 // - A residual under which places are not divided bounds their way: it is shorter than residual
-// plus
-//   chord, and the chord is at most 2 d + 2 if one place is seen from d cells away. The end is on
-//   that way, so the nearer one of the two places is at most residual / 2 + d + 1 away from it.
+//   plus chord, and the chord is at most 2 d + 2 if one place is seen from d cells away. The end is
+//   on that way, so the nearer one of the two places is at most residual / 2 + d + 1 away from it.
 // - Places with no turn between them are on this side of the first turn, seen from the end, or both
 //   on a stretch without a turn that is half of the outline.
-// - Places come to different outlines, or to one, only if they are on different runs' sides: all
-// but
-//   the largest side of each outline cover all such pairs.
+// - Places come to different outlines, or to one, only if they are on different parts, as runs have
+//   it: all but the largest part of each outline cover all such pairs.
 // Cost: see the header.
 #include "plugins/topology/felt_changes.hpp"
 

@@ -9,14 +9,14 @@
 namespace stope::topology {
 
 RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                       const std::vector<const TracedLine*>& lines, Courses& courses,
-                       const ExtractionMethod& method, const GridFrame& frame, RoadMemo* memo,
-                       const Checkpoint& checkpoint) {
+                       const std::vector<const TracedLine*>& lines, const LineEnds& ends,
+                       Courses& courses, const ExtractionMethod& method, const GridFrame& frame,
+                       RoadMemo* memo, const Checkpoint& checkpoint) {
   constexpr double kJunctionShare = 1.5;
   constexpr double kSmoothingShare = 0.4;
-  LineNetwork network = method.branching()
-                            ? connect_pieces(space, outlines, edges, lines, courses, checkpoint)
-                            : to_network(lines, courses);
+  LineNetwork network =
+      method.branching() ? connect_pieces(space, outlines, edges, lines, ends, courses, checkpoint)
+                         : to_network(lines, ends, courses);
   checkpoint();
   // Clearance counts from an obstacle's edge, distance from its cell's centre.
   if (method.params.min_clearance > 0)

@@ -6,11 +6,12 @@
 
 namespace stope::topology {
 
-/// From dividing lines, given in order, to the graph. `courses` are theirs; `memo`, if given, knows
+/// From dividing lines, given in order with the corners they end at, to the graph. `courses` are
+/// theirs; `memo`, if given, knows
 /// finished roads.
 RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                       const std::vector<const TracedLine*>& lines, Courses& courses,
-                       const ExtractionMethod& method, const GridFrame& frame, RoadMemo* memo,
-                       const Checkpoint& checkpoint);
+                       const std::vector<const TracedLine*>& lines, const LineEnds& ends,
+                       Courses& courses, const ExtractionMethod& method, const GridFrame& frame,
+                       RoadMemo* memo, const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

@@ -59,8 +59,8 @@ class JunctionMerger {
   void merge(std::int32_t name) {
     const Line line = network_.lines[at(name)];
     const LinePoint middle = middle_of(line);
-    const double reach = std::max({distance_between(middle, network_.points(line).front()),
-                                   distance_between(middle, network_.points(line).back()),
+    const double reach = std::max({distance_between(middle, courses_.front(line.course)),
+                                   distance_between(middle, courses_.back(line.course)),
                                    to_rim_ ? middle.distance : 0.0});
     network_.set_course(network_.lines[at(name)], kNoCourse);
     std::vector<std::int32_t> around;
@@ -105,7 +105,7 @@ class JunctionMerger {
     line.from = node;
     CourseKey key(CourseKey::kMoved);
     key.add(courses_.name(line.course)).add(place).add(reach);
-    const Courses::Made moved = courses_.make(key, [&] {
+    const Courses::Made& moved = courses_.make(key, [&] {
       const CourseView points = network_.points(line);
       std::size_t first = 1;
       while (first + 1 < points.size() && distance_between(points[first], place) <= reach) ++first;

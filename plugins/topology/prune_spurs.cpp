@@ -167,14 +167,8 @@ class SpurPruner {
   std::int32_t proof_of_road(const Branch& branch) const {
     const CourseId course = network_.lines[at(branch.line)].course;
     const double burn = burn_[at(branch.tip)];
-    CourseKey key(CourseKey::kProof);
-    key.add(courses_.name(course)).add(burn);
-    return courses_
-        .make(key,
-              [&] {
-                return Courses::Made{{}, {}, proof_of_road(courses_.view(course), burn)};
-              })
-        .number;
+    return courses_.number(course, burn,
+                           [&] { return proof_of_road(courses_.view(course), burn); });
   }
 
   std::int32_t proof_of_road(const CourseView& points, double way) const {
@@ -196,7 +190,7 @@ class SpurPruner {
       lines.push_back(line);
       key.add(courses_.name(network_.lines[at(line)].course));
     }
-    const Courses::Made face = courses_.make(key, [&] { return find_face(lines, point); });
+    const Courses::Made& face = courses_.make(key, [&] { return find_face(lines, point); });
     const auto last = static_cast<std::size_t>(face.place.x);
     for (std::size_t i = 0; i < last; ++i) first_kept_[at(lines[i])] = 0;
     first_kept_[at(lines[last])] = face.number;
@@ -232,7 +226,7 @@ class SpurPruner {
       network_.set_course(line, kNoCourse);
     } else if (first > 0) {
       network_.set_course(line, courses_.part(line.course, at(first), count));
-      network_.nodes[at(branch.tip)].point = network_.points(line).front();
+      network_.nodes[at(branch.tip)].point = courses_.front(line.course);
     }
   }
 

@@ -142,7 +142,7 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
     seen.add(outlines.by_name, edges[cell.cell], edges[cell.cell], edges.column(cell.cell),
              edges.column(cell.cell), edges.row(cell.cell));
   LineTracer tracer(space, outlines.by_name, edges, *courses);
-  store.update(tracer, space, touched);
+  store.update(tracer, space, touched, *courses);
   return true;
 }
 
@@ -161,13 +161,14 @@ RoadGraph RoadUpdater::full(const OccupancyGrid& grid, const Checkpoint& checkpo
     corners = find_dividing_lines(terrain.space, terrain.outlines, rule.rule(), terrain.edges,
                                   checkpoint, &replaced);
   }
-  auto courses = std::make_unique<Courses>(ColumnReach::fits(terrain.space));
+  auto courses = std::make_unique<Courses>(!ColumnReach::fits(terrain.space));
   LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, *courses);
   std::vector<TracedLine> lines = trace_lines(tracer, corners);
   checkpoint();
   if (!ColumnReach::fits(terrain.space))
-    return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines), *courses,
-                        method_, grid.frame, nullptr, checkpoint);
+    return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines),
+                        LineEnds(list_of(lines)), *courses, method_, grid.frame, nullptr,
+                        checkpoint);
   state_ = std::make_unique<State>(method_, grid.frame, std::move(terrain), std::move(replaced),
                                    std::move(courses), std::move(lines), checkpoint);
   return finish(checkpoint);
@@ -176,9 +177,9 @@ RoadGraph RoadUpdater::full(const OccupancyGrid& grid, const Checkpoint& checkpo
 RoadGraph RoadUpdater::finish(const Checkpoint& checkpoint) {
   // Whoever stops half way must not leave half a state.
   std::unique_ptr<State> state = std::move(state_);
-  RoadGraph roads =
-      finish_roads(state->space, state->outlines.by_name, state->edges, state->store.list(),
-                   *state->courses, method_, state->frame, &state->memo, checkpoint);
+  RoadGraph roads = finish_roads(state->space, state->outlines.by_name, state->edges,
+                                 state->store.list(), state->store.ends(), *state->courses, method_,
+                                 state->frame, &state->memo, checkpoint);
   state->courses->forget_unused(state->store.courses());
   state_ = std::move(state);
   return roads;

@@ -28,13 +28,16 @@ std::vector<LinePoint> smooth_line(const std::vector<LinePoint>& points, double 
                   sum[i].distance + points[i].distance};
   }
   std::vector<LinePoint> result = points;
+  // Both ends of the stretch that is averaged move little from point to point.
+  std::size_t begin = 0, end = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const double reach =
         std::min({std::max(least_reach, share * points[i].distance), way[i], way.back() - way[i]});
-    const auto begin = std::lower_bound(way.begin(), way.end(), way[i] - reach) - way.begin();
-    const auto end = std::upper_bound(way.begin(), way.end(), way[i] + reach) - way.begin();
-    const LinePoint &from = sum[static_cast<std::size_t>(begin)],
-                    &to = sum[static_cast<std::size_t>(end)];
+    while (begin > 0 && way[begin - 1] >= way[i] - reach) --begin;
+    while (way[begin] < way[i] - reach) ++begin;
+    while (end > 0 && way[end - 1] > way[i] + reach) --end;
+    while (end < way.size() && way[end] <= way[i] + reach) ++end;
+    const LinePoint &from = sum[begin], &to = sum[end];
     const auto count = static_cast<double>(end - begin);
     result[i] = {(to.x - from.x) / count, (to.y - from.y) / count,
                  (to.distance - from.distance) / count};

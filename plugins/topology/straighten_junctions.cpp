@@ -253,7 +253,7 @@ void straighten_junctions(LineNetwork& network) {
       const CourseId course = network.lines[at(line)].course;
       key.add(courses.name(reversed ? backwards(course) : course));
     }
-    const Courses::Made straight = courses.make(key, [&] {
+    const Courses::Made& straight = courses.make(key, [&] {
       Straightener straightener(ends_at(network, node, lines), network.nodes[at(node)].point);
       Courses::Made made;
       if (!straightener.run()) return made;

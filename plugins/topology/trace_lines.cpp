@@ -211,8 +211,8 @@ LineNetwork to_network(const std::vector<const TracedLine*>& lines, const LineEn
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::int32_t from = ends.of_line[i].first, to = ends.of_line[i].second;
     const CourseId course = lines[i]->course;
-    network.nodes[static_cast<std::size_t>(from)].point = courses.view(course).front();
-    network.nodes[static_cast<std::size_t>(to)].point = courses.view(course).back();
+    network.nodes[static_cast<std::size_t>(from)].point = courses.front(course);
+    network.nodes[static_cast<std::size_t>(to)].point = courses.back(course);
     network.lines.push_back({from, to, course, courses.length(course)});
   }
   return network;

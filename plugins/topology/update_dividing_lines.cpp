@@ -32,10 +32,9 @@ class Remarker {
 
   void run(const std::vector<OutlineEdge>& replacement, std::vector<ReplacedEdge>& replaced) {
     for (const std::int32_t tile : stale_.list()) find_divides(tile);
-    for (const Divide divide : divides_) {
-      consider(divide.cell);
-      consider(divide.cell + (divide.north ? stride_ : 1));
-    }
+    for (const Divide divide : divides_)
+      for (const CellIndex cell : {divide.cell, divide.cell + (divide.north ? stride_ : 1)})
+        if (free(cell) && !reached_straight(cell)) consider(cell);
     for (const ReplacedEdge& old : replaced) {
       consider(old.cell);
       consider_behind(old.cell);
@@ -150,6 +149,18 @@ class Remarker {
   }
   std::int64_t distance(CellIndex cell) const {
     return free(cell) ? squared_distance(edges_, outlines_.by_name, cell, nearest(cell)) : 0;
+  }
+
+  /// While all cells see what is nearest: whether a neighbour in the direction of that sees the
+  /// same side. Then the cell is not cut off, and most are found so without a look at distances; if
+  /// the neighbour comes to see something else, the cell is considered then.
+  bool reached_straight(CellIndex cell) const {
+    const Outlines::Place seen = outlines_.by_name.place[at(edges_[cell])];
+    const std::int32_t row = space_.row(cell);
+    const std::int32_t column = cell - space_.index(0, row);
+    const auto open = [&](int side) { return !divided(cell, cell + step_[at(side)], side); };
+    return (seen.row != row && open(seen.row > row ? kNorth : kSouth)) ||
+           (seen.column != column && open(seen.column > column ? kEast : kWest));
   }
 
   void consider(CellIndex cell) {

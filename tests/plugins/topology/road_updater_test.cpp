@@ -105,6 +105,32 @@ TEST_P(RoadUpdates, EqualTheWholeOnMapsOfSpeckles) {
                                20, seed);
 }
 
+/// Free between the turns of a spiral wall: places that face each other are far apart along it.
+OccupancyGrid spiral_grid(std::int32_t side, double pitch) {
+  return grid_where(side, side, 1.0, [=](double x, double y) {
+    const double u = x - side / 2.0, v = y - side / 2.0;
+    const double turns = std::hypot(u, v) / pitch - std::atan2(v, u) / 6.283185307179586;
+    return turns - std::floor(turns) > 0.25;
+  });
+}
+
+/// Round yards in rows, some of which touch: outlines without a corner, or with two.
+OccupancyGrid yard_grid(std::int32_t side, double radius) {
+  return grid_where(side, side, 1.0, [=](double x, double y) {
+    const double u = std::fmod(x, 3 * radius) - radius, v = std::fmod(y, 2 * radius - 1) - radius;
+    return std::hypot(u, v) < radius;
+  });
+}
+
+// Where walls are long, a change is felt by places that are far away along them, or by none at all.
+TEST_P(RoadUpdates, EqualTheWholeWhereOutlinesAreLong) {
+  const ExtractionMethod method = cases()[GetParam()].method;
+  expect_equal_after_changes(method, spiral_grid(170, 14), 30, 16, 12);
+  expect_equal_after_changes(method, spiral_grid(170, 24), 30, 30, 13);
+  expect_equal_after_changes(method, yard_grid(200, 24), 30, 24, 14);
+  expect_equal_after_changes(method, yard_grid(260, 60), 30, 24, 15);
+}
+
 // A wrong window is its producer's fault: the graph is then of something between both grids.
 TEST_P(RoadUpdates, SurviveAWindowThatIsWrong) {
   const ExtractionMethod method = cases()[GetParam()].method;
