@@ -127,13 +127,22 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
       touched.add(first - 1, row - 1, last + 1, row + 1);
       first = INT32_MAX;
     };
+    std::int32_t begin = 0, end = 0;  // of some side by side that see edges beside each other
+    const auto see = [&] {
+      if (begin < end) seen.add(outlines.by_name, now[begin], now[end - 1], begin, end - 1, row);
+    };
     for (std::int32_t column = span.cells.begin; column < span.cells.end; ++column, ++old) {
       if (*old == now[column] || (bits[column] & kObstacle)) continue;
       if (column > last + TileSet::kSide) end_run();
       if (first > column) first = column;
       last = column;
-      seen.add(outlines.by_name, now[column], now[column], column, column, row);
+      if (begin == end || end != column || !SeenFrom::together(now[begin], now[column])) {
+        see();
+        begin = column;
+      }
+      end = column + 1;
     }
+    see();
     end_run();
   }
   add_tiles_of_felt_changes(method, outlines, rule, change, seen, stale);

@@ -22,7 +22,7 @@ class SeenFrom {
         std::int32_t end = begin + 1;
         if (!(bits[begin] & kObstacle)) {
           while (end < space.width() && !(bits[end] & kObstacle) &&
-                 seen[end] / kEdges == seen[begin] / kEdges)
+                 together(seen[end], seen[begin]))
             ++end;
           add(outlines, seen[begin], seen[end - 1], begin, end - 1, row);
         }
@@ -34,6 +34,9 @@ class SeenFrom {
       add(outlines, cell.nearest, cell.nearest, column, column, row);
     }
   }
+
+  /// Whether two edges share a box.
+  static bool together(OutlineEdge a, OutlineEdge b) { return a / kEdges == b / kEdges; }
 
   /// Neighbouring cells of a row whose edges are of the same 32; those of the first and the last.
   void add(const Outlines& outlines, OutlineEdge first, OutlineEdge last, std::int32_t left,

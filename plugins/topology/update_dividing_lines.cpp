@@ -116,6 +116,11 @@ class Remarker {
         std::min<std::size_t>(row.size(), space_.size() - static_cast<std::size_t>(first));
     const std::uint8_t* bits = space_.data() + first;
     const std::int32_t* seen = edges_.data() + first;
+    const auto is_obstacle = [](std::uint8_t cell) { return (cell & kObstacle) != 0; };
+    if (std::all_of(bits, bits + count, is_obstacle)) {
+      row.fill(kNone);
+      return;
+    }
     for (std::size_t i = 0; i < count; ++i)
       row[i] = bits[i] & kObstacle ? kNone : number[at(seen[i])];
   }

@@ -36,7 +36,14 @@ class FlipFinder {
     look_at_window();
     if (least_area_ > 0)
       for_each_cell([&](CellIndex cell) {
-        if (kind_[cell] <= kObstacleNow && is_obstacle(cell)) judge(cell);
+        if (kind_[cell] > kObstacleNow || !is_obstacle(cell)) return;
+        // What hangs together with something large is large.
+        if (kind_[cell - 1] == kLarge || kind_[cell - space_.stride()] == kLarge) {
+          kind_[cell] = kLarge;
+          seen_.push_back(cell);
+        } else {
+          judge(cell);
+        }
       });
     for_each_cell([&](CellIndex cell) {
       const bool obstacle = kind_[cell] != kSmall && kind_[cell] != kFreeNow && is_obstacle(cell);
