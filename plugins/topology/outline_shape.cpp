@@ -41,6 +41,18 @@ std::vector<std::int64_t> headings(const Outline& outline, const std::vector<std
   return result;
 }
 
+/// By the chord's extent across and along: what an edge counts.
+constexpr std::int32_t kChordSides = 2 * kWayReach + 2;
+std::vector<std::int64_t> shares_of_chords(std::int32_t reach) {
+  std::vector<std::int64_t> shares;
+  for (int dx = 0; dx < kChordSides; ++dx)
+    for (int dy = 0; dy < kChordSides; ++dy)
+      shares.push_back(
+          std::llround(OutlineWays::kUnit * std::sqrt(static_cast<double>(dx * dx + dy * dy)) /
+                       static_cast<double>(2 * reach + 1)));
+  return shares;
+}
+
 /// A part of the length, in edges.
 std::int64_t half_of(const TurnRule& rule, double part) {
   return std::llround(part * std::min(rule.length, 1e9));
@@ -96,20 +108,26 @@ void measure_way(const Outlines& outlines, const std::vector<std::uint8_t>& side
   const Outline& outline = outlines.list[at(place)];
   ways.way.resize(outlines.place.size(), 0);
   ways.whole.resize(outlines.list.size(), 0);
-  RoundSums east(at(outline.count)), north(at(outline.count));
-  for (std::int32_t i = 0; i < outline.count; ++i) {
-    east.add(kEastward[sides[at(outline.first + i)]]);
-    north.add(kNorthward[sides[at(outline.first + i)]]);
+  const std::int32_t count = outline.count;
+  const std::int32_t reach =
+      count < kSmallOutline ? count / (kSmallOutline / kWayReach) : kWayReach;
+  const std::vector<std::int64_t> shares = shares_of_chords(reach);
+  const std::uint8_t* side = sides.data() + outline.first;
+  const auto round = [&](std::int32_t edge) {
+    return edge < 0 ? edge + count : edge < count ? edge : edge - count;
+  };
+  int dx = 0, dy = 0;  // of the chord around an edge
+  for (std::int32_t edge = -reach; edge <= reach; ++edge) {
+    dx += kEastward[side[round(edge)]];
+    dy += kNorthward[side[round(edge)]];
   }
-  const std::int64_t reach =
-      outline.count < kSmallOutline ? outline.count / (kSmallOutline / kWayReach) : kWayReach;
   std::int64_t way = 0;
-  for (std::int32_t i = 0; i < outline.count; ++i) {
-    ways.way[at(outline.first + i)] = way;
-    const auto dx = static_cast<double>(east.before(i + reach + 1) - east.before(i - reach));
-    const auto dy = static_cast<double>(north.before(i + reach + 1) - north.before(i - reach));
-    way += std::llround(OutlineWays::kUnit * std::sqrt(dx * dx + dy * dy) /
-                        static_cast<double>(2 * reach + 1));
+  for (std::int32_t edge = 0; edge < count; ++edge) {
+    ways.way[at(outline.first + edge)] = way;
+    way += shares[at(std::abs(dx) * kChordSides + std::abs(dy))];
+    const std::uint8_t gone = side[round(edge - reach)], next = side[round(edge + reach + 1)];
+    dx += kEastward[next] - kEastward[gone];
+    dy += kNorthward[next] - kNorthward[gone];
   }
   ways.whole[at(place)] = way;
 }
