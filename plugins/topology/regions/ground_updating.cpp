@@ -89,7 +89,7 @@ bool Ground::update(const OccupancyGrid& grid, const CellWindow& window, GroundC
     const OutlineEdge* row = edges_.padded_row(span.cells.row) + 1;
     before.insert(before.end(), row + span.cells.begin, row + span.cells.end);
   }
-  update_outlines(outlines, space_, edges_, box, 0);
+  update_outlines(outlines, space_, edges_, box);
   update_nearest_outline(spans, updating_->reach, space_, outlines.by_name, edges_);
   auto old = before.cbegin();
   for (const StaleSpan& span : spans) {
