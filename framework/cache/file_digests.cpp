@@ -25,7 +25,7 @@ constexpr std::int64_t kSettled = 2'000'000'000;  // ns
   throw Error(fmt::format("cannot read {} to tell whether it has changed: {}", path.string(), why));
 }
 
-Digest read_and_digest(const fs::path& file) {
+Digest read_and_digest(const fs::path& file, const std::atomic<bool>* stop) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) unreadable(file, std::system_category().message(errno));
   Digester digester;
@@ -39,6 +39,10 @@ Digest read_and_digest(const fs::path& file) {
       unreadable(file, std::system_category().message(error));
     }
     digester.write(piece.data(), static_cast<std::size_t>(count));
+    if (stop && stop->load()) {
+      ::close(descriptor);
+      throw Cancelled();
+    }
   }
   ::close(descriptor);
   return digester.digest();
@@ -69,15 +73,15 @@ void FileDigests::save() const {
   }
 }
 
-Digest FileDigests::of(const fs::path& path) {
+Digest FileDigests::of(const fs::path& path, const std::atomic<bool>* stop) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) return digest_of(std::string("nothing"));
   if (error) unreadable(path, error.message());
-  return fs::is_directory(status) ? of_folder(path) : of_file(path);
+  return fs::is_directory(status) ? of_folder(path, stop) : of_file(path, stop);
 }
 
-Digest FileDigests::of_file(const fs::path& file) {
+Digest FileDigests::of_file(const fs::path& file, const std::atomic<bool>* stop) {
   struct stat facts {};
   if (::stat(file.c_str(), &facts) != 0) unreadable(file, std::system_category().message(errno));
   const std::int64_t modified = nanoseconds(facts.st_mtim);
@@ -88,7 +92,7 @@ Digest FileDigests::of_file(const fs::path& file) {
     if (known.size == size && known.modified == modified && known.inode == facts.st_ino)
       return {known.high, known.low};
   }
-  const Digest digest = read_and_digest(file);
+  const Digest digest = read_and_digest(file, stop);
   timespec now{};
   ::clock_gettime(CLOCK_REALTIME, &now);
   if (nanoseconds(now) - modified > kSettled)
@@ -96,7 +100,7 @@ Digest FileDigests::of_file(const fs::path& file) {
   return digest;
 }
 
-Digest FileDigests::of_folder(const fs::path& folder) {
+Digest FileDigests::of_folder(const fs::path& folder, const std::atomic<bool>* stop) {
   std::vector<std::string> names;
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
@@ -109,7 +113,7 @@ Digest FileDigests::of_folder(const fs::path& folder) {
   Digester digester;
   for (const std::string& name : names) {
     encode(name, digester);
-    const Digest digest = of_file(folder / name);
+    const Digest digest = of_file(folder / name, stop);
     digester.write(&digest, sizeof digest);
   }
   return digester.digest();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -19,8 +20,9 @@ class FileDigests {
   explicit FileDigests(std::filesystem::path table);
 
   /// Of a file: of its bytes. Of a folder: of the names, relative to it, and bytes of all files in
-  /// and below it. Of nothing: that there is nothing. Throws Error if something cannot be read.
-  Digest of(const std::filesystem::path& path);
+  /// and below it. Of nothing: that there is nothing. Throws Error if something cannot be read,
+  /// Cancelled if `stop` is given and becomes true.
+  Digest of(const std::filesystem::path& path, const std::atomic<bool>* stop = nullptr);
   /// Saves the table for the next process. Best effort: a table that cannot be saved costs time.
   void save() const;
 
@@ -45,8 +47,8 @@ class FileDigests {
       visit("known", s.known);
     }
   };
-  Digest of_file(const std::filesystem::path& file);
-  Digest of_folder(const std::filesystem::path& folder);
+  Digest of_file(const std::filesystem::path& file, const std::atomic<bool>* stop);
+  Digest of_folder(const std::filesystem::path& folder, const std::atomic<bool>* stop);
 
   std::filesystem::path table_;
   std::map<std::string, Known> known_;

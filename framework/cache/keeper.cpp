@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "framework/executor/run_payload.hpp"
+#include "framework/report/run_report.hpp"
 #include "stope/error.hpp"
 
 namespace stope {
@@ -16,6 +18,8 @@ struct Recording {
   PlannedSource source;
   std::size_t stage = 0;  ///< place in State::stages
   KeptOutput output;
+  bool is_source = false;
+  std::uint64_t items = 0;
   bool failed = false;
 };
 
@@ -36,7 +40,7 @@ struct Keeper::State {
   mutable std::mutex mutex;  ///< of stages and complaint
   std::string complaint;
 
-  void fail(Recording& recording, const Error& error) {
+  void fail(Recording& recording, const std::exception& error) {
     recording.failed = true;
     const std::lock_guard lock(mutex);
     if (complaint.empty()) complaint = error.what();
@@ -44,12 +48,20 @@ struct Keeper::State {
 
   void take(Recording& recording, const AnyItem& item) {
     if (recording.failed) return;
+    // What a source loads from its own files is at hand already.
+    const auto* payload = dynamic_cast<const RunPayload*>(item.payload.get());
+    const bool lazy = recording.is_source && payload && payload->lazy();
+    if (recording.items++ == 0) recording.output.lazy = lazy;
+    if (recording.output.lazy != lazy) recording.failed = true;
+    if (lazy || recording.failed) return;
     try {
       const auto value = item.payload->pin();
       const StoredObject object =
           store.put([&](ByteSink& sink) { item.payload->type().encode(value.get(), sink); });
       recording.output.items.push_back({item.stamp, item.index, object.digest, object.size});
-    } catch (const Error& error) {
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception& error) {
       fail(recording, error);
     }
   }
@@ -61,7 +73,7 @@ struct Keeper::State {
     if (--stage.open > 0 || stage.kept.outputs.empty()) return;
     try {
       kept.save(stage.key, stage.kept);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       if (complaint.empty()) complaint = error.what();
     }
   }
@@ -75,7 +87,7 @@ Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse&
   std::set<std::pair<std::size_t, std::size_t>> read;
   for (const PlannedSource& source : wanted) read.emplace(source.stage, source.port);
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {
-    if (reuse.fates[i] != Fate::kRuns) continue;
+    if (!is_made(reuse.fates[i])) continue;
     for (const auto& source : plan.stages[i].inputs)
       if (source) read.emplace(source->stage, source->port);
   }
@@ -83,15 +95,17 @@ Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse&
   for (const auto& [stage, port] : read) {
     const PlannedStage& planned = plan.stages[stage];
     if (reuse.fates[stage] != Fate::kRuns || keys[stage].only_this_run) continue;
-    if (keep == Keep::kValues && (planned.info.inputs.empty() || planned.streams[port])) continue;
+    if (keep == Keep::kValues && planned.streams[port] && !planned.is_export) continue;
     if (place[stage] == plan.stages.size()) {
       place[stage] = state_->stages.size();
       state_->stages.push_back({keys[stage].digest, 0, {}});
+      state_->stages.back().kept.name = planned.name;
     }
     ++state_->stages[place[stage]].open;
     const PortInfo& info = planned.info.outputs[port];
     state_->recordings.push_back(
-        {{stage, port}, place[stage], {info.name, info.type, info.layout, {}}, false});
+        {{stage, port}, place[stage], {info.name, info.type, info.layout, false, {}},
+         planned.info.inputs.empty(), 0, false});
   }
 }
 
@@ -102,7 +116,7 @@ std::vector<Sink> Keeper::sinks() {
   for (Recording& recording : state_->recordings) {
     const PlannedStage& stage = state_->plan.stages[recording.source.stage];
     sinks.push_back(
-        {fmt::format("store of {}.{}", stage.name, stage.info.outputs[recording.source.port].name),
+        {fmt::format("{}{}.{}", kStorePrefix, stage.name, stage.info.outputs[recording.source.port].name),
          recording.source,
          [this, &recording](const AnyItem& item) { state_->take(recording, item); },
          [this, &recording] { state_->finish(recording); }});

@@ -13,8 +13,8 @@ namespace stope {
 /// Which outputs a run keeps.
 enum class Keep : int {
   kNothing,
-  kValues,  ///< maps, graphs, measures: small for the work they took. Streams are made again.
-  kAll
+  kValues,  ///< maps, graphs, measures, and all artefacts. Other streams are made again.
+  kAll      ///< all but what a source loads from its own files as it is touched
 };
 
 /// Writes outputs of a run into a store while it goes on. A stage whose outputs have all ended is
@@ -22,8 +22,7 @@ enum class Keep : int {
 class Keeper {
  public:
   /// Keeps outputs of stages that run and are read, by another stage or `wanted` by the run;
-  /// others are never made. Sources are not kept unless all is: they have their data at hand. All
-  /// must live as long as the run.
+  /// others are never made. All must live as long as the run.
   Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
          const std::vector<PlannedSource>& wanted, Keep keep, KeptStages& kept, ObjectStore& store);
   ~Keeper();

@@ -28,7 +28,9 @@ std::filesystem::path KeptStages::file_of(const Digest& key) const {
 }
 
 std::optional<KeptStage> KeptStages::find(const Digest& key) const {
-  return load_checked<KeptStage>(file_of(key));
+  auto kept = load_checked<KeptStage>(file_of(key));
+  if (kept && kept->format != KeptStage::kFormat) kept.reset();
+  return kept;
 }
 
 void KeptStages::save(const Digest& key, const KeptStage& stage) {
@@ -41,7 +43,11 @@ void KeptStages::save(const Digest& key, const KeptStage& stage) {
         all.outputs.push_back(output);
     }
   }
-  std::filesystem::create_directory(file_of(key).parent_path());
+  std::error_code error;
+  std::filesystem::create_directory(file_of(key).parent_path(), error);
+  if (error)
+    throw Error(fmt::format("cannot make the folder {}: {}", file_of(key).parent_path().string(),
+                            error.message()));
   save_checked(file_of(key), all);
 }
 

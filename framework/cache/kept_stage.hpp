@@ -31,20 +31,29 @@ struct KeptOutput {
   std::string port;
   std::string type;
   std::uint64_t layout = 0;
+  bool lazy = false;  ///< of a source: it loads its items from its own files, and they are not here
   std::vector<KeptItem> items;
   static constexpr void fields(auto& s, auto&& visit) {
     visit("port", s.port);
     visit("type", s.type);
     visit("layout", s.layout);
+    visit("lazy", s.lazy);
     visit("items", s.items);
   }
 };
 
 /// What a store knows of one key.
 struct KeptStage {
+  static constexpr std::uint32_t kFormat = 1;
+  std::uint32_t format = kFormat;   ///< of this record
+  std::string name;                 ///< of the stage that was kept last, for people
   std::vector<KeptOutput> outputs;  ///< those that were read when the stage ran
   const KeptOutput* find(const PortInfo& port) const;
-  static constexpr void fields(auto& s, auto&& visit) { visit("outputs", s.outputs); }
+  static constexpr void fields(auto& s, auto&& visit) {
+    visit("format", s.format);
+    visit("name", s.name);
+    visit("outputs", s.outputs);
+  }
 };
 
 /// Which objects the outputs of a stage are, by its key: `stages/ab/cdef…`, a small file each. A

@@ -20,11 +20,13 @@ class Decision {
     reuse.stored.resize(plan_.stages.size());
     // Inputs come from earlier stages, so going backwards everybody has been asked in time.
     for (std::size_t stage = plan_.stages.size(); stage-- > 0;) {
-      if (std::find(asked_[stage].begin(), asked_[stage].end(), true) == asked_[stage].end())
-        continue;
-      auto found = keys[stage].only_this_run ? std::nullopt : kept.find(keys[stage].digest);
+      const bool asked =
+          std::find(asked_[stage].begin(), asked_[stage].end(), true) != asked_[stage].end();
+      if (!asked && !asked_[stage].empty()) continue;
+      auto found = keys[stage].only_this_run || !asked ? std::nullopt
+                                                       : kept.find(keys[stage].digest);
       if (found && whole(stage, *found, store)) {
-        reuse.fates[stage] = Fate::kStored;
+        reuse.fates[stage] = is_lazy(stage, *found) ? Fate::kReopened : Fate::kStored;
         reuse.stored[stage] = *std::move(found);
         continue;
       }
@@ -46,11 +48,22 @@ class Decision {
     return true;
   }
 
+  bool is_lazy(std::size_t stage, const KeptStage& found) const {
+    for (std::size_t port = 0; port < asked_[stage].size(); ++port)
+      if (asked_[stage][port] && found.find(plan_.stages[stage].info.outputs[port])->lazy)
+        return true;
+    return false;
+  }
+
   const Plan& plan_;
   std::vector<std::vector<bool>> asked_;  ///< by stage and port
 };
 
 }  // namespace
+
+std::size_t Reuse::count(Fate fate) const {
+  return static_cast<std::size_t>(std::count(fates.begin(), fates.end(), fate));
+}
 
 Reuse decide(const Plan& plan, const std::vector<StageKey>& keys,
              const std::vector<PlannedSource>& wanted, const KeptStages& kept,

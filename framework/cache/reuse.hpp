@@ -10,18 +10,23 @@ namespace stope {
 /// What becomes of a stage in a run that may take results from a store.
 enum class Fate : int {
   kRuns,
+  kReopened,  ///< a source that gave all this before, from files that it loads as they are touched
   kStored,    ///< its outputs come from the store
   kNotNeeded  ///< nobody asks for what it would give
 };
+/// Whether the stage itself is made and run.
+inline bool is_made(Fate fate) { return fate == Fate::kRuns || fate == Fate::kReopened; }
 
 /// Who does what in a run.
 struct Reuse {
   std::vector<Fate> fates;        ///< by stage
   std::vector<KeptStage> stored;  ///< by stage; of those that are stored
+  std::size_t count(Fate fate) const;
 };
 
 /// Decides which stages of a plan must run. `wanted`: what the run is to leave behind. A stage is
-/// taken from the store if every output that is asked for is there whole.
+/// taken from the store if every output that is asked for is there whole. A stage without outputs
+/// always runs: it is there for what it does.
 Reuse decide(const Plan& plan, const std::vector<StageKey>& keys,
              const std::vector<PlannedSource>& wanted, const KeptStages& kept,
              const ObjectStore& store);

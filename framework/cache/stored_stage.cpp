@@ -18,11 +18,13 @@ constexpr std::string_view kPrefix = "stored:";
 class StoredStage final : public StageInstance {
  public:
   StoredStage(const PlannedStage& stage, const KeptStage& kept,
-              std::unique_ptr<StageInstance> original, ObjectStore& store)
+              std::unique_ptr<StageInstance> original, ObjectStore& store,
+              std::atomic<bool>& damaged)
       : stage_(stage),
         kept_(kept),
         original_(std::move(original)),
         store_(store),
+        damaged_(damaged),
         outputs_(stage.info.outputs.size(), nullptr) {}
 
   const StageInfo& info() const noexcept override { return stage_.info; }
@@ -66,13 +68,15 @@ class StoredStage final : public StageInstance {
     const PayloadType& type = original_->output_type(port);
     outputs_[port]->put_lazy(
         item.stamp, item.index,
-        [&type, &store = store_, object = item.object, name = stage_.name] {
+        [&type, &store = store_, &damaged = damaged_, object = item.object, name = stage_.name] {
           std::shared_ptr<const void> value;
-          if (!store.get(object, [&](ByteSource& source) { value = type.decode(source); }))
+          if (!store.get(object, [&](ByteSource& source) { value = type.decode(source); })) {
+            damaged = true;
             throw Error(fmt::format(
                 "what the store kept of stage \"{}\" has been damaged or removed since the run "
                 "began; run again, and it is computed anew",
                 name));
+          }
           return value;
         },
         item.size);
@@ -82,6 +86,7 @@ class StoredStage final : public StageInstance {
   const KeptStage& kept_;
   std::unique_ptr<StageInstance> original_;
   ObjectStore& store_;
+  std::atomic<bool>& damaged_;
   std::vector<OutputPort*> outputs_;
 };
 
@@ -90,7 +95,7 @@ class StoredStage final : public StageInstance {
 Plan with_reuse(const Plan& plan, const Reuse& reuse) {
   Plan result = plan;
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {
-    if (reuse.fates[i] == Fate::kRuns) continue;
+    if (is_made(reuse.fates[i])) continue;
     PlannedStage& stage = result.stages[i];
     stage.info.id = fmt::format("{}{}", kPrefix, i);
     stage.info.map = stage.info.in_order = false;
@@ -107,7 +112,8 @@ std::unique_ptr<StageInstance> ReusingCatalogue::create(std::string_view id) con
   std::size_t stage = 0;
   std::from_chars(id.data() + kPrefix.size(), id.data() + id.size(), stage);
   return std::make_unique<StoredStage>(plan_.stages[stage], reuse_.stored[stage],
-                                       catalogue_.create(plan_.stages[stage].info.id), store_);
+                                       catalogue_.create(plan_.stages[stage].info.id), store_,
+                                       damaged_);
 }
 
 }  // namespace stope

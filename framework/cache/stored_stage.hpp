@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,12 +24,16 @@ class ReusingCatalogue final : public Catalogue {
   const std::vector<StageRecord>& stages() const override { return catalogue_.stages(); }
   const StageRecord* find(std::string_view id) const override { return catalogue_.find(id); }
   std::unique_ptr<StageInstance> create(std::string_view id) const override;
+  /// Whether an object turned out to be damaged, or was gone, when it was touched. The run failed
+  /// then; the object is no longer there, so that another decide() will not count on it.
+  bool damaged() const { return damaged_; }
 
  private:
   const Plan& plan_;
   const Reuse& reuse_;
   const Catalogue& catalogue_;
   ObjectStore& store_;
+  mutable std::atomic<bool> damaged_{false};
 };
 
 }  // namespace stope

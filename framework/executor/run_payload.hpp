@@ -14,6 +14,8 @@ class RunPayload : public Payload {
  public:
   /// Bytes it takes when it is in memory, about.
   virtual std::size_t bytes() const = 0;
+  /// Whether it is made by a loader of its stage, which holds nothing that is worth keeping.
+  virtual bool lazy() const { return false; }
   /// It has become the item number `place` of its output.
   virtual void set_place(std::uint64_t /*place*/) {}
 };

@@ -30,6 +30,7 @@ class StoredPayload final : public RunPayload, public std::enable_shared_from_th
   std::shared_ptr<const void> pin() override;
   /// As it was last seen in memory.
   std::size_t bytes() const override { return bytes_.load(std::memory_order_relaxed); }
+  bool lazy() const override { return static_cast<bool>(load_); }
   void set_place(std::uint64_t place) override;
   std::uint64_t place() const { return *place_; }
 

@@ -1,5 +1,8 @@
 #include "framework/report/machine.hpp"
 
+#ifdef __GLIBC__
+#include <gnu/libc-version.h>
+#endif
 #include <sched.h>
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -25,10 +28,29 @@ std::string value_in(const char* file, std::string_view key, char separator) {
   return {};
 }
 
+std::vector<std::string> features_of_processor() {
+  std::vector<std::string> features;
+#if defined(__x86_64__) || defined(__i386__)
+  const auto note = [&](const char* name, int supported) {
+    if (supported) features.emplace_back(name);
+  };
+  note("sse4.2", __builtin_cpu_supports("sse4.2"));
+  note("avx", __builtin_cpu_supports("avx"));
+  note("avx2", __builtin_cpu_supports("avx2"));
+  note("fma", __builtin_cpu_supports("fma"));
+  note("avx512f", __builtin_cpu_supports("avx512f"));
+#endif
+  return features;
+}
+
 }  // namespace
 
 Machine this_machine() {
   Machine machine;
+  machine.features = features_of_processor();
+#ifdef __GLIBC__
+  machine.libraries = std::string("glibc ") + ::gnu_get_libc_version();
+#endif
   machine.processor = value_in("/proc/cpuinfo", "model name", ':');
   cpu_set_t cpus;
   if (::sched_getaffinity(0, sizeof(cpus), &cpus) == 0) machine.cores = CPU_COUNT(&cpus);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace stope::report {
 
@@ -12,6 +13,9 @@ struct Machine {
   int cores = 0;             ///< that this process may use
   std::uint64_t memory = 0;  ///< bytes
   std::string system;        ///< distribution and kernel
+  /// Instruction sets that libraries choose their code by, which may round differently.
+  std::vector<std::string> features;
+  std::string libraries;  ///< the C library, whose functions compute sines and logarithms
 };
 
 Machine this_machine();

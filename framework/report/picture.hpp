@@ -13,6 +13,11 @@ using Colour = std::array<std::uint8_t, 4>;
 struct Picture {
   int width = 0, height = 0;
   std::vector<Colour> pixels;
+  static constexpr void fields(auto& s, auto&& visit) {
+    visit("width", s.width);
+    visit("height", s.height);
+    visit("pixels", s.pixels);
+  }
 
   Colour& at(int column, int row) {
     return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

@@ -10,7 +10,7 @@
 #include "framework/report/machine.hpp"
 #include "framework/report/run_facts.hpp"
 #include "framework/report/run_log.hpp"
-#include "framework/report/sketch.hpp"
+#include "framework/report/tap_result.hpp"
 #include "framework/report/written_output.hpp"
 
 namespace stope::report {
@@ -19,14 +19,6 @@ namespace stope::report {
 struct FileRead {
   std::string path;
   std::string sha256;  ///< empty if it could not be read again
-};
-
-/// What a tap saw at an output of a stage.
-struct TapResult {
-  PlannedSource source;
-  std::uint64_t items = 0;
-  std::string digest;  ///< 32 hexadecimal digits, or empty
-  std::vector<Sketch> sketches;
 };
 
 /// Everything the files of a run directory are made of.
@@ -42,12 +34,17 @@ struct ReportData {
   std::vector<std::string> outputs_kept;  ///< of a run that did not end well: what an earlier left
   std::vector<std::string> outputs_beside;  ///< in outputs/ but not of this run, which ended well
   std::vector<TapResult> taps;
+  std::vector<StageReuse> reuse;  ///< by stage of the plan; empty if nothing is known of it
 
   const TapResult* tap_at(const PlannedSource& source) const {
     for (const TapResult& tap : taps) {
       if (tap.source == source) return &tap;
     }
     return nullptr;
+  }
+  /// What is known of a stage's key and of where its outputs came from; or null.
+  const StageReuse* reuse_of(std::size_t stage) const {
+    return stage < reuse.size() ? &reuse[stage] : nullptr;
   }
   /// What an output is made of: the ports its export reads.
   std::vector<PlannedSource> sources_of(const PlannedOutput& output) const {

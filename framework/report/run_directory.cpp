@@ -93,6 +93,11 @@ RunDirectory::~RunDirectory() {
   ::close(lock_);
 }
 
+void RunDirectory::forget_claims() {
+  const std::lock_guard lock(mutex_);
+  owners_.clear();
+}
+
 fs::path RunDirectory::claim(const std::string& relative, const std::string& owner) {
   const std::lock_guard lock(mutex_);
   const auto [place, fresh] = owners_.emplace(relative, owner);

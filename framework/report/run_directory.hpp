@@ -27,6 +27,8 @@ class RunDirectory {
   /// and returns its full path. Throws Error if another output writes it, or if a folder on the way
   /// is a symbolic link, which would lead out.
   std::filesystem::path claim(const std::string& relative, const std::string& owner);
+  /// Lets go of all that was claimed: the run begins anew.
+  void forget_claims();
 
  private:
   std::filesystem::path folder_;

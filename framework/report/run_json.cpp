@@ -36,10 +36,33 @@ Json pipeline_json(const ReportData& data) {
   return {{"name", data.plan.name},
           {"file", data.plan.file.string()},
           {"files", files},
-          {"vars", Json(data.plan.vars)}};
+          {"vars", Json(data.plan.vars)},
+          {"overrides", data.facts.overrides},
+          {"working_folder", data.facts.working_folder.string()}};
 }
 
-Json stage_json(const ReportData& data, const PlannedStage& stage) {
+const char* from_name(StageReuse::From from) {
+  switch (from) {
+    case StageReuse::From::kRun:
+      return "run";
+    case StageReuse::From::kReopened:
+      return "reopened";
+    case StageReuse::From::kStore:
+      return "store";
+    case StageReuse::From::kNotNeeded:
+      return "not needed";
+  }
+  return "";
+}
+
+Json key_json(const StageReuse& reuse) {
+  Json parts = Json::array();
+  for (const auto& [name, value] : reuse.parts) parts.push_back({name, value});
+  return {{"digest", reuse.key}, {"only_this_run", reuse.only_this_run}, {"parts", parts}};
+}
+
+Json stage_json(const ReportData& data, std::size_t place) {
+  const PlannedStage& stage = data.plan.stages[place];
   Json parameters = Json::object(), units = Json::object(), inputs = Json::object(),
        outputs = Json::object();
   for (std::size_t i = 0; i < stage.info.parameters.size(); ++i) {
@@ -67,6 +90,10 @@ Json stage_json(const ReportData& data, const PlannedStage& stage) {
                       {"version", record->plugin_version},
                       {"build_id", record->build_id},
                       {"file", record->file.string()}};
+  if (const StageReuse* reuse = data.reuse_of(place)) {
+    json["from"] = from_name(reuse->from);
+    json["key"] = key_json(*reuse);
+  }
   return json;
 }
 
@@ -170,7 +197,7 @@ std::string run_json(const ReportData& data) {
   json["warnings"] = warnings_json(data);
   json["warning_count"] = data.facts.warnings.size() + data.log.warning_count();
   Json stages = Json::array(), processes = Json::array(), channels = Json::array();
-  for (const PlannedStage& stage : data.plan.stages) stages.push_back(stage_json(data, stage));
+  for (std::size_t i = 0; i < data.plan.stages.size(); ++i) stages.push_back(stage_json(data, i));
   for (const ProcessRecord& process : data.record.processes)
     processes.push_back(process_json(process));
   for (const ChannelRecord& channel : data.record.channels)
@@ -186,7 +213,9 @@ std::string run_json(const ReportData& data) {
                      {"processor", data.machine.processor},
                      {"cores", data.machine.cores},
                      {"memory", data.machine.memory},
-                     {"system", data.machine.system}};
+                     {"system", data.machine.system},
+                     {"features", data.machine.features},
+                     {"libraries", data.machine.libraries}};
   // Names in a file need not be UTF-8; a report that shows a replacement beats one that fails.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

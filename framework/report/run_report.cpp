@@ -24,8 +24,6 @@ namespace {
 
 using namespace report;
 
-constexpr std::string_view kTapPrefix = "report: ";
-
 std::vector<FileRead> hash_files(const Plan& plan) {
   std::vector<FileRead> files;
   for (const std::filesystem::path& path : plan.files_read)
@@ -43,22 +41,38 @@ struct RunReport::Parts {
         facts(std::move(the_facts)),
         directory(folder),
         log(directory.file("log.txt")),
-        files_read(hash_files(plan)) {
+        files_read(hash_files(plan)),
+        choices(choose_taps(plan)) {
+    begin();
+  }
+
+  void begin() {
+    taps.clear();
+    known.clear();
+    writers.clear();
+    directory.forget_claims();
     for (const PlannedOutput& output : plan.outputs)
       writers.push_back(std::make_unique<ArtefactWriter>(directory, output));
-    for (const TapChoice& choice : choose_taps(plan))
+    for (const TapChoice& choice : choices)
       taps.push_back(std::make_unique<PayloadTap>(choice.source, is_stream(plan, choice.source),
                                                   choice.digest, choice.draw));
   }
 
+  TapResult seen(const PlannedSource& source) const {
+    for (const TapResult& result : known)
+      if (result.source == source) return result;
+    for (const auto& tap : taps) {
+      if (tap->source() != source) continue;
+      const auto digest = tap->digest();
+      return {source, tap->items(), digest ? digest->text() : "", tap->sketches()};
+    }
+    return {source, 0, {}, {}};
+  }
+
   ReportData data(const RunRecord& record) const {
     ReportData data{plan,       catalogue, facts, record, log, this_machine(),
-                    files_read, {},        {},    {},     {}};
-    for (const auto& tap : taps) {
-      const auto digest = tap->digest();
-      data.taps.push_back(
-          {tap->source(), tap->items(), digest ? digest->text() : "", tap->sketches()});
-    }
+                    files_read, {},        {},    {},     {},  reuse};
+    for (const TapChoice& choice : choices) data.taps.push_back(seen(choice.source));
     for (const auto& writer : writers) {
       if (record.end == RunRecord::End::kDone) {
         data.outputs.insert(data.outputs.end(), writer->files().begin(), writer->files().end());
@@ -86,6 +100,10 @@ struct RunReport::Parts {
   RunDirectory directory;
   RunLog log;
   std::vector<FileRead> files_read;
+  std::vector<TapChoice> choices;
+  std::vector<TapResult> known;  ///< from earlier runs
+  std::vector<StageReuse> reuse;
+  bool begun = false;
   std::vector<std::unique_ptr<ArtefactWriter>> writers;
   std::vector<std::unique_ptr<PayloadTap>> taps;
 };
@@ -96,17 +114,40 @@ RunReport::RunReport(const Plan& plan, const Catalogue& catalogue, RunFacts fact
 
 RunReport::~RunReport() = default;
 
-std::vector<Sink> RunReport::sinks() {
+std::vector<PlannedSource> RunReport::needed() const {
+  std::vector<PlannedSource> sources;
+  for (const PlannedOutput& output : parts_->plan.outputs) sources.push_back({output.stage, 0});
+  for (const TapChoice& choice : parts_->choices)
+    if (choice.needed) sources.push_back(choice.source);
+  return sources;
+}
+
+std::vector<PlannedSource> RunReport::welcome() const {
+  std::vector<PlannedSource> sources;
+  for (const TapChoice& choice : parts_->choices)
+    if (!choice.needed) sources.push_back(choice.source);
+  return sources;
+}
+
+TapResult RunReport::seen(const PlannedSource& source) const { return parts_->seen(source); }
+void RunReport::know(TapResult result) { parts_->known.push_back(std::move(result)); }
+void RunReport::set_reuse(std::vector<StageReuse> reuse) { parts_->reuse = std::move(reuse); }
+
+std::vector<Sink> RunReport::sinks(const std::function<bool(const PlannedSource&)>& reads) {
+  if (parts_->begun) parts_->begin();
+  parts_->begun = true;
   std::vector<Sink> sinks;
   for (const auto& writer : parts_->writers)
     sinks.push_back({fmt::format("write {}", writer->output().name),
                      {writer->output().stage, 0},
                      [&writer = *writer](const AnyItem& item) { writer.write(item); },
                      [&writer = *writer] { writer.close(); }});
-  for (const auto& tap : parts_->taps)
-    sinks.push_back({std::string(kTapPrefix) + port_name(parts_->plan, tap->source()),
-                     tap->source(), [&tap = *tap](const AnyItem& item) { tap.take(item); },
-                     [&tap = *tap] { tap.finish(); }});
+  for (std::size_t i = 0; i < parts_->taps.size(); ++i) {
+    PayloadTap& tap = *parts_->taps[i];
+    if (!parts_->choices[i].needed && reads && !reads(tap.source())) continue;
+    sinks.push_back({std::string(kTapPrefix) + port_name(parts_->plan, tap.source()), tap.source(),
+                     [&tap](const AnyItem& item) { tap.take(item); }, [&tap] { tap.finish(); }});
+  }
   return sinks;
 }
 
@@ -121,7 +162,7 @@ void RunReport::log(LogLevel level, std::string_view stage, std::string_view sen
 }
 
 bool RunReport::is_tap(std::string_view process_name) {
-  return process_name.starts_with(kTapPrefix);
+  return process_name.starts_with(kTapPrefix) || process_name.starts_with(kStorePrefix);
 }
 
 void RunReport::finish(const RunRecord& record) {

@@ -1,14 +1,19 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
 
 #include "framework/executor/run.hpp"
 #include "framework/report/run_facts.hpp"
+#include "framework/report/tap_result.hpp"
 
 namespace stope {
+
+/// How processes that belong to nobody's pipeline are called.
+inline constexpr std::string_view kTapPrefix = "report: ", kStorePrefix = "store: ";
 
 /// The folder a run leaves behind: outputs/, run.json, log.txt, trace.json and report.html.
 ///
@@ -30,8 +35,21 @@ class RunReport {
   ~RunReport();
   RunReport(const RunReport&) = delete;
 
-  /// The processes that write outputs and draw previews. They refer to this object.
-  std::vector<Sink> sinks();
+  /// What it cannot do without: the outputs' artefacts, and measures or drawings that exist to be
+  /// reported.
+  std::vector<PlannedSource> needed() const;
+  /// The outputs it also reads along at, for pictures and digests, if they are to be had.
+  std::vector<PlannedSource> welcome() const;
+  /// The processes that write outputs and draw previews: of what is needed, and of the rest what
+  /// `reads` agrees to. They refer to this object. Called again it begins anew: what was written
+  /// and drawn before is forgotten.
+  std::vector<Sink> sinks(const std::function<bool(const PlannedSource&)>& reads = {});
+  /// What has been seen at an output, by a sink that has come to its end.
+  report::TapResult seen(const PlannedSource& source) const;
+  /// Tells what an earlier run has seen at a welcome output that is not read in this one.
+  void know(report::TapResult result);
+  /// Tells what became of each stage of the plan.
+  void set_reuse(std::vector<StageReuse> reuse);
   /// For RunOptions::scratch; removed with this object.
   std::filesystem::path scratch() const;
   /// Adds a line to log.txt. Any thread may call it. An empty stage stands for the run.
@@ -43,7 +61,8 @@ class RunReport {
   /// Where to look.
   std::filesystem::path folder() const;
   std::filesystem::path report_file() const;
-  /// Whether a process of the record is one of the report's own taps, of no interest to a person.
+  /// Whether a process of the record is the framework's own, a tap of the report or a writer of the
+  /// store, of no interest to a person.
   static bool is_tap(std::string_view process_name);
 
  private:

@@ -34,9 +34,10 @@ std::vector<TapChoice> choose_taps(const Plan& plan) {
     for (std::size_t p = 0; p < stage.info.outputs.size(); ++p) any_read |= read.contains({s, p});
     for (std::size_t p = 0; p < stage.info.outputs.size(); ++p) {
       const std::string& type = stage.info.outputs[p].type;
-      TapChoice tap{{s, p}, exported.contains({s, p}), {}};
+      TapChoice tap{{s, p}, exported.contains({s, p}), {}, !any_read || type == Measures::kType};
       if (read.contains({s, p}) || !any_read || type == Measures::kType)
         tap.draw = sketch_function(type);
+      tap.needed = tap.needed && tap.draw;
       if (tap.digest || tap.draw) taps.push_back(std::move(tap));
     }
   }

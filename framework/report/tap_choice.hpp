@@ -12,6 +12,7 @@ struct TapChoice {
   PlannedSource source;
   bool digest = false;  ///< an entry under `outputs:` is made of it
   SketchFunction draw;  ///< empty: not to be drawn
+  bool needed = false;  ///< to be read even if nothing else asks for the port
 };
 
 /// Which outputs the report reads: those that are exported, and those it can draw. A port that

@@ -49,12 +49,23 @@ std::string header_html(const ReportData& data) {
   }
   std::size_t stages = 0;
   for (const PlannedStage& stage : data.plan.stages) stages += stage.is_export ? 0 : 1;
+  const auto count = [&](StageReuse::From from) {
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < data.reuse.size(); ++i)
+      number += !data.plan.stages[i].is_export && data.reuse[i].from == from ? 1 : 0;
+    return number;
+  };
+  std::string remark;
+  if (count(StageReuse::From::kStore) + count(StageReuse::From::kNotNeeded) > 0)
+    remark = fmt::format("{} ran, {} from the store, {} not needed",
+                         count(StageReuse::From::kRun) + count(StageReuse::From::kReopened),
+                         count(StageReuse::From::kStore), count(StageReuse::From::kNotNeeded));
   const std::size_t warnings = data.facts.warnings.size() + data.log.warning_count();
   std::string html = fmt::format("<header><p class=\"over\">Stope {}</p>\n<h1>{}</h1>\n",
                                  escaped(data.facts.version), escaped(data.plan.name));
   html += verdict_html(data.record);
   html += "<dl class=\"facts\">\n";
-  html += fact("stages", count_text(stages), "");
+  html += fact("stages", count_text(stages), remark);
   html += fact("outputs", count_text(data.plan.outputs.size()), "");
   html += fact("threads", count_text(static_cast<std::uint64_t>(data.facts.threads)), "");
   if (data.record.peak_resident > 0)

@@ -67,11 +67,14 @@ std::string stages_html(const ReportData& data) {
   std::string html =
       "<table class=\"stages\"><thead><tr><th>stage</th><th>use</th><th>plugin</th><th>parameters "
       "<span class=\"soft\">(those given in bold)</span></th></tr></thead><tbody>\n";
-  for (const PlannedStage& stage : data.plan.stages) {
+  for (std::size_t i = 0; i < data.plan.stages.size(); ++i) {
+    const PlannedStage& stage = data.plan.stages[i];
+    const StageReuse* reuse = data.reuse_of(i);
     const StageRecord* record = data.catalogue.find(stage.info.id);
     html += fmt::format(
-        "<tr><td>{}</td><td><code>{}</code>{}</td><td title=\"{}\">{}</td><td>{}</td></tr>\n",
-        escaped(stage.name), escaped(stage.info.id),
+        "<tr><td{}>{}</td><td><code>{}</code>{}</td><td title=\"{}\">{}</td><td>{}</td></tr>\n",
+        reuse ? fmt::format(" title=\"key {}\"", reuse->key) : "", escaped(stage.name),
+        escaped(stage.info.id),
         stage.info.deterministic ? "" : " <span class=\"soft\">not deterministic</span>",
         record ? escaped(record->file.string() + ", build " + record->build_id) : "",
         record ? escaped(record->plugin_id + " " + record->plugin_version) : "",

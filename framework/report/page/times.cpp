@@ -75,17 +75,18 @@ std::string strip(const ProcessRecord& process, std::int64_t wall) {
   return svg + "</svg>";
 }
 
-std::string row(const ProcessRecord& process, std::int64_t wall) {
+std::string row(const ProcessRecord& process, std::int64_t wall, bool stored) {
   const auto time = [](std::int64_t ns) { return ns > 0 ? duration_text(ns) : std::string("–"); };
   std::string run = time(process.run);
   // A map's items run side by side: their sum tells more than the time the process watched them.
   std::string work = process.work > 0 ? duration_text(process.work) : "";
   const std::uint64_t items = std::max(process.items_read, process.items_written);
   return fmt::format(
-      "<tr><th scope=\"row\">{}</th><td class=\"timeline\">{}</td><td class=\"n\">{}</td>"
+      "<tr><th scope=\"row\">{}{}</th><td class=\"timeline\">{}</td><td class=\"n\">{}</td>"
       "<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n soft\">{}</td>"
       "<td class=\"n soft\">{}</td><td class=\"n\">{}</td></tr>\n",
-      escaped(process.name), strip(process, wall), run, work, time(process.io),
+      escaped(process.name), stored ? " <span class=\"soft\">from the store</span>" : "",
+      strip(process, wall), run, work, time(process.io),
       time(process.wait_in), time(process.wait_out), items > 0 ? count_text(items) : "–");
 }
 
@@ -101,8 +102,14 @@ constexpr const char* kHead =
 std::string times_html(const ReportData& data) {
   if (data.record.processes.empty()) return {};
   std::string rows, taps;
-  for (const ProcessRecord& process : data.record.processes)
-    (RunReport::is_tap(process.name) ? taps : rows) += row(process, data.record.wall);
+  for (std::size_t i = 0; i < data.record.processes.size(); ++i) {
+    const ProcessRecord& process = data.record.processes[i];
+    // Stages come first, in the order of the plan.
+    const StageReuse* reuse = i < data.plan.stages.size() ? data.reuse_of(i) : nullptr;
+    if (reuse && reuse->from == StageReuse::From::kNotNeeded) continue;
+    (RunReport::is_tap(process.name) ? taps : rows) +=
+        row(process, data.record.wall, reuse && reuse->from == StageReuse::From::kStore);
+  }
   const std::string head =
       fmt::format(fmt::runtime(kHead),
                   fmt::format("<span>0</span><span>{}</span>", duration_text(data.record.wall)));
@@ -114,7 +121,7 @@ std::string times_html(const ReportData& data) {
       "for input</span><span><i class=\"wait-out\"></i>waits for readers</span></p>\n" +
       head + rows + "</tbody></table>\n";
   if (!taps.empty())
-    html += "<details><summary>What this report cost</summary>\n" + head + taps +
+    html += "<details><summary>What this report and the store cost</summary>\n" + head + taps +
             "</tbody></table></details>\n";
   return html +
          "<p class=\"soft\">In detail: <a href=\"trace.json\">trace.json</a>, which Perfetto "

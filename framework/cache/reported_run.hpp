@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "framework/cache/cached_run.hpp"
+#include "framework/report/run_report.hpp"
+
+namespace stope {
+
+/// Runs a plan with a store and lets the report read along. Of stages that do not run the report
+/// gets the pictures and digests that an earlier run noted. Afterwards the report knows what became
+/// of each stage; finish() it.
+RunRecord run_and_report(CachedRun& run, const Plan& plan, RunReport& report,
+                         const RunOptions& options,
+                         const std::function<void(const RunProgress&)>& progress = {});
+
+/// What became of the stages in a sentence: `2 stages run, 1 comes from the store, 3 are not
+/// needed`.
+std::string fates_text(const Reuse& reuse);
+
+}  // namespace stope
