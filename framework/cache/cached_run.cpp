@@ -10,6 +10,7 @@
 #include "framework/cache/file_digests.hpp"
 #include "framework/cache/stored_stage.hpp"
 #include "framework/plugins/plugin_search.hpp"
+#include "framework/plugins/sdk_build.hpp"
 #include "stope/error.hpp"
 
 namespace stope {
@@ -70,6 +71,7 @@ struct CachedRun::State {
     KeyFacts facts;
     facts.seed = seed;
     facts.run = name_of_this_run();
+    facts.sdk = sdk_build_id();
     facts.digest_of_path = [&](const std::filesystem::path& path) {
       return digests.of(path, stop);
     };
@@ -119,6 +121,7 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
   // What is found damaged is removed, so that each attempt takes less from the store.
   for (std::size_t attempt = 0;; ++attempt) {
     state.reuse = state.decided(wanted, state.use.take && attempt <= state.plan.stages.size());
+    if (state.store) state.observer.log(LogLevel::kInfo, "", fates_text(state.reuse));
     std::vector<Sink> sinks = sinks_of(state.reuse);
     if (!state.store) {
       return run_plan(state.plan, state.catalogue, sinks, options, state.observer, progress);
@@ -153,7 +156,7 @@ void CachedRun::note(std::size_t stage, const std::string& name,
     const StoredObject object = state.store->objects.put(write);
     KeptStage kept;
     kept.name = state.plan.stages[stage].name;
-    kept.outputs = {{name, "note", 0, false, {{0, 0, object.digest, object.size}}}};
+    kept.outputs = {{name, std::string(kNoteType), 0, false, {{0, 0, object.digest, object.size}}}};
     state.store->stages.save(state.keys[stage].digest, kept);
   } catch (const std::exception& error) {
     state.complain(error.what());
@@ -167,7 +170,7 @@ bool CachedRun::noted(std::size_t stage, const std::string& name,
   const auto kept = state.store->stages.find(state.keys[stage].digest);
   if (!kept) return false;
   for (const KeptOutput& output : kept->outputs)
-    if (output.port == name && output.type == "note" && output.items.size() == 1)
+    if (output.port == name && output.type == kNoteType && output.items.size() == 1)
       return state.store->objects.get(output.items[0].object, read);
   return false;
 }

@@ -103,9 +103,12 @@ Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse&
     }
     ++state_->stages[place[stage]].open;
     const PortInfo& info = planned.info.outputs[port];
-    state_->recordings.push_back(
-        {{stage, port}, place[stage], {info.name, info.type, info.layout, false, {}},
-         planned.info.inputs.empty(), 0, false});
+    state_->recordings.push_back({{stage, port},
+                                  place[stage],
+                                  {info.name, info.type, info.layout, false, {}},
+                                  planned.info.inputs.empty(),
+                                  0,
+                                  false});
   }
 }
 
@@ -115,11 +118,11 @@ std::vector<Sink> Keeper::sinks() {
   std::vector<Sink> sinks;
   for (Recording& recording : state_->recordings) {
     const PlannedStage& stage = state_->plan.stages[recording.source.stage];
-    sinks.push_back(
-        {fmt::format("{}{}.{}", kStorePrefix, stage.name, stage.info.outputs[recording.source.port].name),
-         recording.source,
-         [this, &recording](const AnyItem& item) { state_->take(recording, item); },
-         [this, &recording] { state_->finish(recording); }});
+    sinks.push_back({fmt::format("{}{}.{}", kStorePrefix, stage.name,
+                                 stage.info.outputs[recording.source.port].name),
+                     recording.source,
+                     [this, &recording](const AnyItem& item) { state_->take(recording, item); },
+                     [this, &recording] { state_->finish(recording); }});
   }
   return sinks;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "framework/cache/stage_keys.hpp"
@@ -25,6 +26,9 @@ struct KeptItem {
     visit("size", s.size);
   }
 };
+
+/// The type of what is no output of a stage but was noted about one.
+inline constexpr std::string_view kNoteType = "note";
 
 /// An output of a stage in the store, whole.
 struct KeptOutput {

@@ -54,8 +54,8 @@ StoredObject ObjectStore::put(const std::function<void(ByteSink&)>& write) {
   std::error_code error;
   std::filesystem::create_directory(file.parent_path(), error);
   if (error)
-    throw Error(fmt::format("cannot make the folder {}: {}", file.parent_path().string(),
-                            error.message()));
+    throw Error(
+        fmt::format("cannot make the folder {}: {}", file.parent_path().string(), error.message()));
   // The file that is there may be damaged: the new one takes its place whatever it holds.
   writer.commit(file);
   return object;

@@ -105,16 +105,4 @@ RunRecord run_and_report(CachedRun& run, const Plan& plan, RunReport& report,
   return record;
 }
 
-std::string fates_text(const Reuse& reuse) {
-  const std::size_t runs = reuse.count(Fate::kRuns), reopened = reuse.count(Fate::kReopened),
-                    stored = reuse.count(Fate::kStored), rest = reuse.count(Fate::kNotNeeded);
-  std::string text = runs == 1 ? "1 stage runs" : fmt::format("{} stages run", runs);
-  if (reopened > 0)
-    text += fmt::format(", {} {} reopened", reopened, reopened == 1 ? "source is" : "sources are");
-  if (stored > 0)
-    text += fmt::format(", {} {} from the store", stored, stored == 1 ? "comes" : "come");
-  if (rest > 0) text += fmt::format(", {} {} not needed", rest, rest == 1 ? "is" : "are");
-  return text;
-}
-
 }  // namespace stope

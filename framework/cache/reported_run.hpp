@@ -14,8 +14,4 @@ RunRecord run_and_report(CachedRun& run, const Plan& plan, RunReport& report,
                          const RunOptions& options,
                          const std::function<void(const RunProgress&)>& progress = {});
 
-/// What became of the stages in a sentence: `2 stages run, 1 comes from the store, 3 are not
-/// needed`.
-std::string fates_text(const Reuse& reuse);
-
 }  // namespace stope

@@ -1,5 +1,7 @@
 #include "framework/cache/reuse.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace stope {
@@ -23,8 +25,8 @@ class Decision {
       const bool asked =
           std::find(asked_[stage].begin(), asked_[stage].end(), true) != asked_[stage].end();
       if (!asked && !asked_[stage].empty()) continue;
-      auto found = keys[stage].only_this_run || !asked ? std::nullopt
-                                                       : kept.find(keys[stage].digest);
+      auto found =
+          keys[stage].only_this_run || !asked ? std::nullopt : kept.find(keys[stage].digest);
       if (found && whole(stage, *found, store)) {
         reuse.fates[stage] = is_lazy(stage, *found) ? Fate::kReopened : Fate::kStored;
         reuse.stored[stage] = *std::move(found);
@@ -63,6 +65,18 @@ class Decision {
 
 std::size_t Reuse::count(Fate fate) const {
   return static_cast<std::size_t>(std::count(fates.begin(), fates.end(), fate));
+}
+
+std::string fates_text(const Reuse& reuse) {
+  const std::size_t runs = reuse.count(Fate::kRuns), reopened = reuse.count(Fate::kReopened),
+                    stored = reuse.count(Fate::kStored), rest = reuse.count(Fate::kNotNeeded);
+  std::string text = runs == 1 ? "1 stage runs" : fmt::format("{} stages run", runs);
+  if (reopened > 0)
+    text += fmt::format(", {} {} reopened", reopened, reopened == 1 ? "source is" : "sources are");
+  if (stored > 0)
+    text += fmt::format(", {} {} from the store", stored, stored == 1 ? "comes" : "come");
+  if (rest > 0) text += fmt::format(", {} {} not needed", rest, rest == 1 ? "is" : "are");
+  return text;
 }
 
 Reuse decide(const Plan& plan, const std::vector<StageKey>& keys,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "framework/cache/kept_stage.hpp"
@@ -23,6 +24,10 @@ struct Reuse {
   std::vector<KeptStage> stored;  ///< by stage; of those that are stored
   std::size_t count(Fate fate) const;
 };
+
+/// What becomes of the stages in a sentence: `2 stages run, 1 comes from the store, 3 are not
+/// needed`.
+std::string fates_text(const Reuse& reuse);
 
 /// Decides which stages of a plan must run. `wanted`: what the run is to leave behind. A stage is
 /// taken from the store if every output that is asked for is there whole. A stage without outputs

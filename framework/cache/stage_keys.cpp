@@ -51,6 +51,7 @@ class KeyMaker {
     };
     add("use", stage.info.id);
     add("plugin build", record->build_id);
+    add("SDK build", facts_.sdk);
     for (std::size_t i = 0; i < stage.parameters.size(); ++i) add_parameter(stage, i, key);
     if (stage.info.also_reads) add_further_files(stage, key);
     for (std::size_t i = 0; i < stage.inputs.size(); ++i) add_input(stage, i, key);

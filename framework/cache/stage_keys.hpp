@@ -29,8 +29,9 @@ struct StageKey {
 
 /// What keys are made with besides the plan.
 struct KeyFacts {
-  std::uint64_t seed = 0;                                              ///< of the run
-  std::string run;                                                     ///< a name no other run has
+  std::uint64_t seed = 0;  ///< of the run
+  std::string run;         ///< a name no other run has
+  std::string sdk;         ///< build of the SDK's library, whose code all stages call
   std::function<Digest(const std::filesystem::path&)> digest_of_path;  ///< of files and folders
 };
 

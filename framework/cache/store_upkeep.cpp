@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <optional>
 #include <system_error>
 #include <tuple>
 #include <vector>
 
+#include "framework/cache/digest_text.hpp"
 #include "framework/cache/object_store.hpp"
 #include "stope/error.hpp"
 
@@ -62,11 +64,8 @@ std::vector<ObjectFile> files_in(const fs::path& folder) {
   return files;
 }
 
-Digest digest_of_name(const fs::path& file) {
-  const std::string name = file.parent_path().filename().string() + file.filename().string();
-  if (name.size() != 32 || name.find_first_not_of("0123456789abcdef") != std::string::npos)
-    return {};
-  return {std::stoull(name.substr(0, 16), nullptr, 16), std::stoull(name.substr(16), nullptr, 16)};
+std::optional<Digest> digest_of_name(const fs::path& file) {
+  return digest_of_hex(file.parent_path().filename().string() + file.filename().string());
 }
 
 }  // namespace
@@ -106,10 +105,11 @@ std::uint64_t verify(ObjectStore& store) {
   for (const ObjectFile& file : files_in(store.root() / "objects")) {
     std::error_code ignored;
     // What has no object's name is none.
-    if (store.file_of(digest_of_name(file.path)) != file.path) {
+    const auto digest = digest_of_name(file.path);
+    if (!digest || store.file_of(*digest) != file.path) {
       fs::remove(file.path, ignored);
       ++damaged;
-    } else if (!store.get(digest_of_name(file.path), [](ByteSource&) {})) {
+    } else if (!store.get(*digest, [](ByteSource&) {})) {
       ++damaged;
     }
   }

@@ -18,6 +18,13 @@ struct Arguments {
   std::uint64_t seed = 0;
   std::vector<std::string> overrides;  ///< of --set
   std::vector<std::filesystem::path> plugin_path;
+  std::filesystem::path cache;  ///< the store; empty: STOPE_CACHE or the user's cache folder
+  std::size_t cache_limit = 0;  ///< bytes; 0: the default
+  std::string keep;             ///< none, values or all; empty: what the command thinks best
+  bool no_cache = false;
+  bool why = false;
+  bool resume = false;
+  std::filesystem::path record;  ///< of replay: a run.json or its folder
   bool json = false;
   bool quiet = false;
   std::string stage;           ///< of inspect
@@ -32,5 +39,9 @@ int stages_command(const Arguments& arguments);
 int inspect_command(const Arguments& arguments);
 int schema_command(const Arguments& arguments);
 int graph_command(const Arguments& arguments);
+int cache_ls_command(const Arguments& arguments);
+int cache_gc_command(const Arguments& arguments);
+int cache_verify_command(const Arguments& arguments);
+int replay_command(const Arguments& arguments);
 
 }  // namespace stope

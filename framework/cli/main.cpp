@@ -28,30 +28,66 @@ void add_plugins(CLI::App& command, stope::Arguments& arguments) {
   command.add_flag("--json", arguments.json, "Print for programs");
 }
 
+/// A size in bytes, such as 2GiB, of at least `least`.
+void add_size(CLI::App& command, const char* name, std::size_t& bytes, std::size_t least,
+              const std::string& too_little, const char* doc) {
+  command.add_option_function<std::string>(
+      name,
+      [name, &bytes, least, too_little](const std::string& text) {
+        const auto size = stope::parse_byte_size(text);
+        if (!size)
+          throw CLI::ValidationError(name, "'" + text + "' is not a size; write 2GiB or 500MB.");
+        if (*size < least)
+          throw CLI::ValidationError(name, "'" + text + "' is too little; " + too_little);
+        bytes = *size;
+      },
+      doc);
+}
+
+void add_store(CLI::App& command, stope::Arguments& arguments) {
+  command.add_option("--cache", arguments.cache,
+                     "The store of results (default: $STOPE_CACHE, or stope/store in "
+                     "$XDG_CACHE_HOME)");
+}
+
+void add_store_limit(CLI::App& command, stope::Arguments& arguments) {
+  add_size(command, "--cache-limit", arguments.cache_limit, 1 << 20, "a store needs 1MiB or more.",
+           "What the store may take on the disk (default: 20GiB); what was not used for longest "
+           "goes first");
+}
+
+void add_threads_and_memory(CLI::App& command, stope::Arguments& arguments) {
+  command
+      .add_option("--threads", arguments.threads, "Workers for parallel work (default: all cores)")
+      ->check(CLI::Range(1, 4096));
+  add_size(command, "--memory", arguments.memory, stope::kLeastMemory, "a run needs 64MiB or more.",
+           "Memory for the whole process, such as 2GiB (default: half of RAM, at least 64MiB)");
+}
+
 void add_run(CLI::App& command, stope::Arguments& arguments) {
   add_pipeline(command, arguments);
   add_plugins(command, arguments);
   command.add_option("--out", arguments.out,
                      "The run's folder (default: out/<name of the pipeline file>)");
+  add_threads_and_memory(command, arguments);
+  add_store(command, arguments);
+  add_store_limit(command, arguments);
+  command.add_flag("--no-cache", arguments.no_cache, "Compute everything, keep nothing");
   command
-      .add_option("--threads", arguments.threads, "Workers for parallel work (default: all cores)")
-      ->check(CLI::Range(1, 4096));
+      .add_option("--keep", arguments.keep,
+                  "What the store keeps of the results: none, values (maps, graphs, measures, and "
+                  "all outputs; the default) or all (streams as well)")
+      ->check(CLI::IsMember({"none", "values", "all"}));
+  command.add_flag("--why", arguments.why,
+                   "Say of each stage that ran what has changed since the last run in this folder");
+  command
+      .add_flag("--resume", arguments.resume,
+                "For long runs, from the first time on: keep all, so that a run that was "
+                "killed goes on after the last stage that ended")
+      ->excludes("--no-cache");
   command.add_option("--seed", arguments.seed, "Seed of everything random (default: 0)")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--quiet,-q", arguments.quiet, "Print warnings and errors only");
-  command.add_option_function<std::string>(
-      "--memory",
-      [&arguments](const std::string& text) {
-        const auto bytes = stope::parse_byte_size(text);
-        if (!bytes)
-          throw CLI::ValidationError("--memory",
-                                     "'" + text + "' is not a size; write 2GiB or 500MB.");
-        if (*bytes < stope::kLeastMemory)
-          throw CLI::ValidationError("--memory",
-                                     "'" + text + "' is too little; a run needs 64MiB or more.");
-        arguments.memory = *bytes;
-      },
-      "Memory for the whole process, such as 2GiB (default: half of RAM, at least 64MiB)");
 }
 
 int dispatch(int argc, char** argv) {
@@ -71,6 +107,29 @@ int dispatch(int argc, char** argv) {
   };
 
   add_run(*subcommand("run", "Run a pipeline", stope::run_command), arguments);
+
+  CLI::App* replay = subcommand("replay", "Run a recorded run again and compare every artefact",
+                                stope::replay_command);
+  replay->add_option("record", arguments.record, "A run.json, or the folder of a run")->required();
+  add_threads_and_memory(*replay, arguments);
+  add_plugins(*replay, arguments);
+
+  CLI::App* cache = app.add_subcommand("cache", "Look after the store of results");
+  cache->require_subcommand(1);
+  const auto cache_command = [&](const char* name, const char* doc,
+                                 int (*function)(const stope::Arguments&)) {
+    CLI::App* sub = cache->add_subcommand(name, doc);
+    sub->callback([&command, function] { command = function; });
+    add_store(*sub, arguments);
+    sub->add_flag("--json", arguments.json, "Print for programs");
+    return sub;
+  };
+  cache_command("ls", "List what is in the store", stope::cache_ls_command);
+  add_store_limit(*cache_command("gc", "Remove what was not used for longest, down to the limit",
+                                 stope::cache_gc_command),
+                  arguments);
+  cache_command("verify", "Read everything in the store and remove what is damaged",
+                stope::cache_verify_command);
 
   CLI::App* check =
       subcommand("check", "Check a pipeline without running it", stope::check_command);

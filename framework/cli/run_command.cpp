@@ -1,82 +1,73 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
-#include <thread>
+#include <optional>
+#include <utility>
 
+#include "framework/cache/earlier_run.hpp"
 #include "framework/cli/arguments.hpp"
 #include "framework/cli/byte_size.hpp"
+#include "framework/cli/cache_use.hpp"
 #include "framework/cli/exit_code.hpp"
 #include "framework/cli/interrupt.hpp"
-#include "framework/cli/load_pipeline.hpp"
-#include "framework/cli/progress_bars.hpp"
-#include "framework/executor/run.hpp"
-#include "framework/report/run_report.hpp"
+#include "framework/cli/run_pipeline.hpp"
 
 namespace stope {
 namespace {
 
-std::size_t half_of_ram() {
-  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) / 2;
+std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder) {
+  try {
+    return read_earlier_run(folder / "run.json");
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
-// Sends what a run says both to the terminal and to the run's log.
-class Narrator final : public RunObserver {
- public:
-  Narrator(ProgressBars& bars, RunReport& report) : bars_(bars), report_(report) {}
-  void log(LogLevel level, const std::string& stage, const std::string& sentence) override {
-    report_.log(level, stage, sentence);
-    bars_.log(level, stage, sentence);
+using Reasons = std::vector<std::pair<std::string, std::string>>;
+
+/// By stage that ran: its name, and why it did.
+Reasons reasons_of(const Plan& plan, const PipelineRun& run,
+                   const std::optional<EarlierRun>& earlier, bool take) {
+  Reasons reasons;
+  for (std::size_t i = 0; i < run.reuse.fates.size(); ++i) {
+    const std::string& name = plan.stages[i].name;
+    if (run.reuse.fates[i] == Fate::kRuns)
+      reasons.emplace_back(name,
+                           why_it_runs(name, run.keys[i], earlier ? &*earlier : nullptr, take));
   }
-
- private:
-  ProgressBars& bars_;
-  RunReport& report_;
-};
-
-// Stages' own working memory is theirs; the budget can only make payloads give way to it.
-void warn_of_memory(const RunOptions& options, const RunRecord& record, Narrator& narrator) {
-  if (static_cast<double>(record.peak_resident) <= 1.1 * static_cast<double>(options.memory))
-    return;
-  narrator.log(
-      LogLevel::kWarning, "",
-      fmt::format(
-          "{} of memory were used though --memory allows {}: the stages alone needed more; allow "
-          "more or give them smaller maps",
-          byte_size_text(record.peak_resident), byte_size_text(options.memory)));
+  return reasons;
 }
 
-RunProgress without_taps(const RunProgress& progress) {
-  RunProgress shown;
-  for (const auto& process : progress.processes) {
-    if (!RunReport::is_tap(process.name)) shown.processes.push_back(process);
+void print_json(const PipelineRun& run, const Reasons* reasons) {
+  constexpr const char* kEnds[] = {"done", "failed", "cancelled"};
+  nlohmann::ordered_json end;
+  end["end"] = kEnds[static_cast<int>(run.record.end)];
+  end["sentence"] = run.record.sentence;
+  end["seconds"] = static_cast<double>(run.record.wall) * 1e-9;
+  end["folder"] = run.folder.string();
+  end["report"] = run.report_file.string();
+  end["stages"] = {{"run", run.reuse.count(Fate::kRuns)},
+                   {"reopened", run.reuse.count(Fate::kReopened)},
+                   {"store", run.reuse.count(Fate::kStored)},
+                   {"not_needed", run.reuse.count(Fate::kNotNeeded)}};
+  if (reasons) {
+    end["why"] = nlohmann::ordered_json::object();
+    for (const auto& [stage, reason] : *reasons) end["why"][stage] = reason;
   }
-  return shown;
+  fmt::print("{}\n", end.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-void print_end(const Arguments& arguments, const RunRecord& record, const RunReport& report) {
-  const double seconds = static_cast<double>(record.wall) * 1e-9;
-  if (arguments.json) {
-    constexpr const char* kEnds[] = {"done", "failed", "cancelled"};
-    nlohmann::ordered_json end;
-    end["end"] = kEnds[static_cast<int>(record.end)];
-    end["sentence"] = record.sentence;
-    end["seconds"] = seconds;
-    end["folder"] = report.folder().string();
-    end["report"] = report.report_file().string();
-    fmt::print("{}\n", end.dump(2));
-    return;
-  }
-  switch (record.end) {
+void print_text(const PipelineRun& run, bool quiet) {
+  const double seconds = static_cast<double>(run.record.wall) * 1e-9;
+  switch (run.record.end) {
     case RunRecord::End::kDone:
-      if (!arguments.quiet) {
+      if (!quiet) {
         fmt::print("Done in {:.1f} s, at most {} of memory. Look at {}\n", seconds,
-                   byte_size_text(record.peak_resident), report.report_file().string());
+                   byte_size_text(run.record.peak_resident), run.report_file.string());
       }
       break;
     case RunRecord::End::kFailed:
-      fmt::print(stderr, "error: {}\n", record.sentence);
+      fmt::print(stderr, "error: {}\n", run.record.sentence);
       break;
     case RunRecord::End::kCancelled:
       fmt::print(stderr,
@@ -91,46 +82,28 @@ void print_end(const Arguments& arguments, const RunRecord& record, const RunRep
 int run_command(const Arguments& arguments) {
   const LoadedPipeline loaded = load_pipeline(arguments);
   if (!loaded.plan) return loaded.exit_code;
-  const Plan& plan = *loaded.plan;
-
-  RunOptions options;
-  options.threads = arguments.threads > 0 ? arguments.threads
-                                          : static_cast<int>(std::thread::hardware_concurrency());
-  options.memory = arguments.memory > 0 ? arguments.memory : half_of_ram();
-  options.seed = arguments.seed;
-
-  RunFacts facts;
-  facts.version = STOPE_VERSION;
-  facts.command = arguments.command_line;
-  facts.threads = options.threads;
-  facts.memory = options.memory;
-  facts.seed = options.seed;
-  facts.warnings = loaded.warnings;
-
+  const CacheUse use = cache_use(arguments);
   const std::filesystem::path folder =
       arguments.out.empty() ? std::filesystem::path("out") / arguments.pipeline.stem()
                             : arguments.out;
+  const std::optional<EarlierRun> earlier = earlier_run(folder);
   const Interrupt interrupt;
-  options.stop = &interrupt.flag();
-  RunReport report(plan, *loaded.catalogue, facts, folder);
-  options.scratch = report.scratch();
-  ProgressBars bars(::isatty(STDERR_FILENO) != 0 && !arguments.json,
-                    arguments.quiet || arguments.json);
-  Narrator narrator(bars, report);
-  const RunRecord record = run_plan(
-      plan, *loaded.catalogue, report.sinks(), options, narrator,
-      [&, told = false](const RunProgress& progress) mutable {
-        bars.show(without_taps(progress));
-        if (told || !interrupt.flag()) return;
-        told = true;
-        narrator.log(LogLevel::kWarning, "",
-                     "stopping; interrupt once more to end at once and leave its temporary files");
-      });
-  warn_of_memory(options, record, narrator);
-  bars.finish();
-  report.finish(record);
-  print_end(arguments, record, report);
-  return record.end == RunRecord::End::kDone ? kDone : kRunFailed;
+  PipelineRun run;
+  try {
+    run = run_pipeline(loaded, arguments, use, folder, interrupt.flag());
+  } catch (const Cancelled&) {
+    fmt::print(stderr, "Cancelled before the first stage ran.\n");
+    return kRunFailed;
+  }
+  const Reasons reasons = reasons_of(*loaded.plan, run, earlier, !use.store.empty());
+  if (arguments.json) {
+    print_json(run, arguments.why ? &reasons : nullptr);
+  } else {
+    if (arguments.why)
+      for (const auto& [stage, reason] : reasons) fmt::print("{} ran: {}\n", stage, reason);
+    print_text(run, arguments.quiet);
+  }
+  return run.record.end == RunRecord::End::kDone ? kDone : kRunFailed;
 }
 
 }  // namespace stope

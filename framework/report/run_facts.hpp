@@ -27,12 +27,12 @@ struct StageReuse {
 
 /// What the report tells of a run that neither its plan nor its record knows.
 struct RunFacts {
-  std::string version;               ///< of Stope
-  std::vector<std::string> command;  ///< the command line, word by word
+  std::string version;                 ///< of Stope
+  std::vector<std::string> command;    ///< the command line, word by word
   std::vector<std::string> overrides;  ///< of the pipeline, as `--set` has them
   std::filesystem::path working_folder = std::filesystem::current_path();
-  int threads = 0;                   ///< oneTBB workers, as resolved
-  std::size_t memory = 0;            ///< bytes, as resolved
+  int threads = 0;         ///< oneTBB workers, as resolved
+  std::size_t memory = 0;  ///< bytes, as resolved
   std::uint64_t seed = 0;
   std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
   std::vector<Diagnostic> warnings;  ///< what the check said of the pipeline

@@ -209,12 +209,9 @@ std::string run_json(const ReportData& data) {
   json["stages"] = stages;
   json["processes"] = processes;
   json["channels"] = channels;
-  json["machine"] = {{"host", data.machine.host},
-                     {"processor", data.machine.processor},
-                     {"cores", data.machine.cores},
-                     {"memory", data.machine.memory},
-                     {"system", data.machine.system},
-                     {"features", data.machine.features},
+  json["machine"] = {{"host", data.machine.host},          {"processor", data.machine.processor},
+                     {"cores", data.machine.cores},        {"memory", data.machine.memory},
+                     {"system", data.machine.system},      {"features", data.machine.features},
                      {"libraries", data.machine.libraries}};
   // Names in a file need not be UTF-8; a report that shows a replacement beats one that fails.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -97,8 +97,11 @@ TEST(Docs, CommandsInThemAreRight) {
       std::vector<std::string> arguments{"check", shipped(match[1])};
       std::istringstream words(match[2].str());
       for (std::string word; words >> word;) {
-        if (word == "--out" || word == "--threads" || word == "--memory" || word == "--seed") {
+        if (word == "--out" || word == "--threads" || word == "--memory" || word == "--seed" ||
+            word == "--keep" || word == "--cache" || word == "--cache-limit") {
           words >> word;
+        } else if (word == "--why" || word == "--resume" || word == "--no-cache") {
+          continue;
         } else {
           arguments.push_back(word);
         }

@@ -128,6 +128,10 @@ TEST_F(StageKeysTest, ARebuiltPluginChangesItsStages) {
   EXPECT_EQ(changed_by([&] { builds_.rebuild("topology/voronoi"); }), Names{"roads"});
 }
 
+TEST_F(StageKeysTest, ARebuiltSdkChangesAll) {
+  EXPECT_EQ(changed_by([&] { facts_.sdk = "newer"; }).size(), 4U);
+}
+
 TEST_F(StageKeysTest, AnotherMemberWithTheSameParametersIsAnotherStage) {
   EXPECT_EQ(changed_by([&] {
               plan_.stages[kRoads].info.id = "topology/watershed";
