@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "framework/cache/file_digests.hpp"
+#include "framework/cache/store_contents.hpp"
 #include "framework/cache/stored_stage.hpp"
 #include "framework/plugins/plugin_search.hpp"
 #include "framework/plugins/sdk_build.hpp"
@@ -91,7 +92,8 @@ struct CachedRun::State {
   void tidy_up() {
     if (!store || reuse.count(Fate::kRuns) == 0) return;
     try {
-      collect_garbage(store->objects, use.limit);
+      if (collect_garbage(store->objects, use.limit).removed > 0)
+        forget_what_is_gone(store->objects);
     } catch (const std::exception& error) {
       complain(error.what());
     }

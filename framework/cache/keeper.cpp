@@ -9,6 +9,7 @@
 #include "framework/executor/run_payload.hpp"
 #include "framework/report/run_report.hpp"
 #include "stope/error.hpp"
+#include "stope/payloads/measures.hpp"
 
 namespace stope {
 namespace {
@@ -28,6 +29,11 @@ struct StageRecording {
   std::size_t open = 0;  ///< outputs that have not ended
   KeptStage kept;
 };
+
+/// What a run is made for: small beside what it was made of, also as a stream.
+bool is_result(const PlannedStage& stage, std::size_t port) {
+  return stage.is_export || stage.info.outputs[port].type == Measures::kType;
+}
 
 }  // namespace
 
@@ -95,7 +101,7 @@ Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse&
   for (const auto& [stage, port] : read) {
     const PlannedStage& planned = plan.stages[stage];
     if (reuse.fates[stage] != Fate::kRuns || keys[stage].only_this_run) continue;
-    if (keep == Keep::kValues && planned.streams[port] && !planned.is_export) continue;
+    if (keep == Keep::kValues && planned.streams[port] && !is_result(planned, port)) continue;
     if (place[stage] == plan.stages.size()) {
       place[stage] = state_->stages.size();
       state_->stages.push_back({keys[stage].digest, 0, {}});

@@ -13,7 +13,7 @@ namespace stope {
 /// Which outputs a run keeps.
 enum class Keep : int {
   kNothing,
-  kValues,  ///< maps, graphs, measures, and all artefacts. Other streams are made again.
+  kValues,  ///< maps, graphs, and all measures and artefacts. Other streams are made again.
   kAll      ///< all but what a source loads from its own files as it is touched
 };
 

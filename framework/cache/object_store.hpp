@@ -34,6 +34,7 @@ class ObjectStore {
 /// What is in a store.
 struct StoreUsage {
   std::uint64_t objects = 0, bytes = 0;  ///< bytes on disk
+  std::uint64_t removed = 0;             ///< objects that went when it was last tidied
 };
 StoreUsage usage_of(const ObjectStore& store);
 

@@ -96,6 +96,7 @@ StoreUsage collect_garbage(const ObjectStore& store, std::uint64_t limit) {
     if (!fs::remove(file.path, ignored)) continue;
     usage.bytes -= file.bytes;
     --usage.objects;
+    ++usage.removed;
   }
   return usage;
 }

@@ -49,6 +49,7 @@ Arguments as_recorded(const Arguments& arguments, const EarlierRun& earlier) {
   recorded.overrides = earlier.overrides;
   recorded.seed = earlier.seed;
   recorded.no_cache = true;
+  for (fs::path& place : recorded.plugin_path) place = fs::absolute(place);
   std::error_code error;
   // Paths in overrides are relative to it.
   fs::current_path(earlier.working_folder, error);

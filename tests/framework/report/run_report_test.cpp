@@ -136,6 +136,54 @@ TEST(RunReport, SaysWhichStagesMayGiveOtherBytesTheNextTime) {
             std::string::npos);
 }
 
+TEST(RunReport, TellsWhereTheOutputsOfAStageThatDidNotRunCameFrom) {
+  const made::Folder folder;
+  const Plan plan = one_map_plan();
+  const made::AnyCatalogue catalogue;
+  RunReport report(plan, catalogue, made::facts(), folder.path);
+  EXPECT_EQ(report.needed(), (std::vector<PlannedSource>{{1, 0}}));  // the artefact
+  EXPECT_EQ(report.welcome(), (std::vector<PlannedSource>{{0, 0}}));
+  auto sinks = report.sinks([](const PlannedSource&) { return false; });
+  ASSERT_EQ(sinks.size(), 1U);
+  made::sink(sinks, "write map.yaml").consume(made::item(made::artefact({{"yaml", "a"}})));
+  made::sink(sinks, "write map.yaml").finish();
+  report::Sketch seen;
+  seen.kind = "A grid seen before";
+  seen.marks.push_back({"start", {1, 2}, "a mark"});
+  report.know({{0, 0}, 1, std::string(32, 'f'), {seen}});
+  StageReuse grid, map;
+  grid.from = StageReuse::From::kNotNeeded;
+  grid.key = std::string(32, 'a');
+  grid.parts = {{"seed", "1"}};
+  map.from = StageReuse::From::kStore;
+  report.set_reuse({grid, map});
+  report.finish(made::ended(RunRecord::End::kDone));
+  const auto json = json_of(folder.path);
+  EXPECT_EQ(json["stages"][0]["from"], "not needed");
+  EXPECT_EQ(json["stages"][0]["key"]["digest"], grid.key);
+  EXPECT_EQ(json["stages"][0]["key"]["parts"][0], nlohmann::json({"seed", "1"}));
+  EXPECT_EQ(json["stages"][1]["from"], "store");
+  EXPECT_EQ(json["outputs"][0]["made_of"][0]["digest"], std::string(32, 'f'));
+  const std::string page = text_of(folder.path / "report.html");
+  EXPECT_NE(page.find("A grid seen before"), std::string::npos);
+  EXPECT_NE(page.find("0 ran, 0 from the store, 1 not needed"), std::string::npos);
+}
+
+TEST(RunReport, BeginsAnewWhenItsSinksAreMadeAgain) {
+  const made::Folder folder;
+  const Plan plan = one_map_plan();
+  const made::AnyCatalogue catalogue;
+  RunReport report(plan, catalogue, made::facts(), folder.path);
+  for (const char* text : {"void", "valid"}) {
+    auto sinks = report.sinks();
+    made::sink(sinks, "write map.yaml").consume(made::item(made::artefact({{"yaml", text}})));
+    made::sink(sinks, "write map.yaml").finish();
+  }
+  report.finish(made::ended(RunRecord::End::kDone));
+  EXPECT_EQ(text_of(folder.path / "outputs/map.yaml"), "valid");
+  EXPECT_EQ(json_of(folder.path)["outputs"].size(), 1U);
+}
+
 TEST(RunReport, ReplacesAnEarlierRunAndKeepsForeignFiles) {
   const made::Folder folder;
   made::put_text(folder.path / "notes.txt", "mine");
