@@ -19,9 +19,10 @@ namespace {
 
 /// An open store.
 struct Store {
-  explicit Store(const std::filesystem::path& root) : objects(root), stages(root) {}
+  explicit Store(const std::filesystem::path& root) : objects(root), stages(root), journal(root) {}
   ObjectStore objects;
   KeptStages stages;
+  ItemJournal journal;
 };
 
 std::string name_of_this_run() {
@@ -81,12 +82,25 @@ struct CachedRun::State {
   }
 
   Reuse decided(const std::vector<PlannedSource>& wanted, bool take) const {
-    if (store && take) return decide(plan, keys, wanted, store->stages, store->objects);
+    if (store && take) {
+      Reuse reuse = decide(plan, keys, wanted, store->stages, store->objects);
+      find_made_items(plan, keys, store->journal, store->objects, reuse);
+      return reuse;
+    }
     // Without a store all that is there runs, as it always did.
     Reuse all;
     all.fates.resize(plan.stages.size(), Fate::kRuns);
     all.stored.resize(plan.stages.size());
     return all;
+  }
+
+  void tell() const {
+    if (!store) return;
+    observer.log(LogLevel::kInfo, "", fates_text(reuse));
+    for (std::size_t i = 0; i < reuse.made.size(); ++i)
+      if (!reuse.made[i].empty())
+        observer.log(LogLevel::kInfo, plan.stages[i].name,
+                     fmt::format("goes on: {} items were made before", reuse.made[i][0].size()));
   }
 
   void tidy_up() {
@@ -123,7 +137,7 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
   // What is found damaged is removed, so that each attempt takes less from the store.
   for (std::size_t attempt = 0;; ++attempt) {
     state.reuse = state.decided(wanted, state.use.take && attempt <= state.plan.stages.size());
-    if (state.store) state.observer.log(LogLevel::kInfo, "", fates_text(state.reuse));
+    state.tell();
     std::vector<Sink> sinks = sinks_of(state.reuse);
     if (!state.store) {
       return run_plan(state.plan, state.catalogue, sinks, options, state.observer, progress);
@@ -131,7 +145,7 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
     std::vector<PlannedSource> read = wanted;
     for (const Sink& sink : sinks) read.push_back(sink.source);
     Keeper keeper(state.plan, state.keys, state.reuse, read, state.use.keep, state.store->stages,
-                  state.store->objects);
+                  state.store->objects, &state.store->journal);
     std::vector<Sink> all = keeper.sinks();
     all.insert(all.end(), sinks.begin(), sinks.end());
     const Plan plan = with_reuse(state.plan, state.reuse);

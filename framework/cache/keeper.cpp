@@ -41,6 +41,7 @@ struct Keeper::State {
   const Plan& plan;
   KeptStages& kept;
   ObjectStore& store;
+  ItemJournal* journal;  ///< or null
   std::vector<Recording> recordings;
   std::vector<StageRecording> stages;
   mutable std::mutex mutex;  ///< of stages and complaint
@@ -65,11 +66,19 @@ struct Keeper::State {
       const StoredObject object =
           store.put([&](ByteSink& sink) { item.payload->type().encode(value.get(), sink); });
       recording.output.items.push_back({item.stamp, item.index, object.digest, object.size});
+      if (journal && is_resumable(recording))
+        journal->add(stages[recording.stage].key, recording.output.port,
+                     recording.output.items.back());
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& error) {
       fail(recording, error);
     }
+  }
+
+  bool is_resumable(const Recording& recording) const {
+    const PlannedStage& stage = plan.stages[recording.source.stage];
+    return stage.info.map && stage.streams[recording.source.port];
   }
 
   void finish(Recording& recording) {
@@ -79,6 +88,8 @@ struct Keeper::State {
     if (--stage.open > 0 || stage.kept.outputs.empty()) return;
     try {
       kept.save(stage.key, stage.kept);
+      if (journal)
+        for (const KeptOutput& output : stage.kept.outputs) journal->remove(stage.key, output.port);
     } catch (const std::exception& error) {
       if (complaint.empty()) complaint = error.what();
     }
@@ -87,8 +98,8 @@ struct Keeper::State {
 
 Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
                const std::vector<PlannedSource>& wanted, Keep keep, KeptStages& kept,
-               ObjectStore& store)
-    : state_(new State{plan, kept, store, {}, {}, {}, {}}) {
+               ObjectStore& store, ItemJournal* journal)
+    : state_(new State{plan, kept, store, journal, {}, {}, {}, {}}) {
   if (keep == Keep::kNothing) return;
   std::set<std::pair<std::size_t, std::size_t>> read;
   for (const PlannedSource& source : wanted) read.emplace(source.stage, source.port);

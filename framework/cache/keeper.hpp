@@ -18,13 +18,15 @@ enum class Keep : int {
 };
 
 /// Writes outputs of a run into a store while it goes on. A stage whose outputs have all ended is
-/// known to the store at once, so that a run which is killed later need not begin anew.
+/// known to the store at once, so that a run which is killed later need not begin anew; of a map
+/// whose stream is kept, each item is.
 class Keeper {
  public:
   /// Keeps outputs of stages that run and are read, by another stage or `wanted` by the run;
   /// others are never made. All must live as long as the run.
   Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
-         const std::vector<PlannedSource>& wanted, Keep keep, KeptStages& kept, ObjectStore& store);
+         const std::vector<PlannedSource>& wanted, Keep keep, KeptStages& kept, ObjectStore& store,
+         ItemJournal* journal = nullptr);
   ~Keeper();
   /// Processes for run_plan(). They refer to this object. A store that cannot be written to fails
   /// no run: `complaint()` tells.

@@ -85,4 +85,21 @@ Reuse decide(const Plan& plan, const std::vector<StageKey>& keys,
   return Decision(plan, wanted).decide(keys, kept, store);
 }
 
+void find_made_items(const Plan& plan, const std::vector<StageKey>& keys,
+                     const ItemJournal& journal, const ObjectStore& store, Reuse& reuse) {
+  reuse.made.assign(plan.stages.size(), {});
+  for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+    const PlannedStage& stage = plan.stages[i];
+    if (reuse.fates[i] != Fate::kRuns || !stage.info.map || keys[i].only_this_run) continue;
+    MadeItems made;
+    for (const PortInfo& port : stage.info.outputs) {
+      auto items = journal.items(keys[i].digest, port.name);
+      std::erase_if(items, [&](const auto& item) { return !store.contains(item.second.object); });
+      if (items.empty()) break;
+      made.push_back(std::move(items));
+    }
+    if (made.size() == stage.info.outputs.size()) reuse.made[i] = std::move(made);
+  }
+}
+
 }  // namespace stope

@@ -11,8 +11,9 @@
 namespace stope {
 namespace {
 
-/// No stage of a plugin has such an id: it is not of the form family/name.
-constexpr std::string_view kPrefix = "stored:";
+/// No stage of a plugin has such an id: it is not of the form family/name. The stage's place
+/// follows.
+constexpr std::string_view kStored = "stored:", kResumed = "resumed:";
 
 /// Writes what the store holds of a stage's outputs, in the order of stamps.
 class StoredStage final : public StageInstance {
@@ -95,9 +96,11 @@ class StoredStage final : public StageInstance {
 Plan with_reuse(const Plan& plan, const Reuse& reuse) {
   Plan result = plan;
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {
-    if (is_made(reuse.fates[i])) continue;
     PlannedStage& stage = result.stages[i];
-    stage.info.id = fmt::format("{}{}", kPrefix, i);
+    if (i < reuse.made.size() && !reuse.made[i].empty())
+      stage.info.id = fmt::format("{}{}", kResumed, i);
+    if (is_made(reuse.fates[i])) continue;
+    stage.info.id = fmt::format("{}{}", kStored, i);
     stage.info.map = stage.info.in_order = false;
     stage.info.inputs.clear();
     stage.inputs.clear();
@@ -108,9 +111,13 @@ Plan with_reuse(const Plan& plan, const Reuse& reuse) {
 }
 
 std::unique_ptr<StageInstance> ReusingCatalogue::create(std::string_view id) const {
-  if (!id.starts_with(kPrefix)) return catalogue_.create(id);
+  const bool stored = id.starts_with(kStored), resumed = id.starts_with(kResumed);
+  if (!stored && !resumed) return catalogue_.create(id);
   std::size_t stage = 0;
-  std::from_chars(id.data() + kPrefix.size(), id.data() + id.size(), stage);
+  const std::size_t begin = (stored ? kStored : kResumed).size();
+  std::from_chars(id.data() + begin, id.data() + id.size(), stage);
+  if (resumed)
+    return resume_map(catalogue_.create(plan_.stages[stage].info.id), reuse_.made[stage], store_);
   return std::make_unique<StoredStage>(plan_.stages[stage], reuse_.stored[stage],
                                        catalogue_.create(plan_.stages[stage].info.id), store_,
                                        damaged_);

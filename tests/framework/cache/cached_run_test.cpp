@@ -38,6 +38,21 @@ class LazyCount final : public Stage {
   }
 };
 
+/// Squares, but from 6 on it fails while it is broken, which no key tells.
+class Fragile final : public Map<Number(Number)> {
+ public:
+  struct Params {
+  } params;
+  static inline std::atomic<bool> broken{false};
+  static inline std::atomic<int> computed{0};
+  static void describe(About<Fragile>& about) { about.ports("number", "square"); }
+  Number apply(const Number& number, Context&) const {
+    if (broken && number.value >= 6) throw Error("it broke");
+    ++computed;
+    return {number.value * number.value};
+  }
+};
+
 /// Takes note that it ran.
 class Effect final : public Stage {
  public:
@@ -270,6 +285,49 @@ TEST_F(CachedRunTest, TheStoreIsKeptToItsLimit) {
   bench.stage<Count>("count");
   EXPECT_EQ(run(bench, "count.numbers").values.size(), 10U);
   EXPECT_TRUE(objects().empty());
+}
+
+TEST_F(CachedRunTest, AMapThatWasStoppedGoesOnWhereItWas) {
+  const auto build = [](PlanBuilder& bench) {
+    bench.stage<LazyCount>("count").stage<Fragile>("square", {{"number", "count.numbers"}});
+  };
+  PlanBuilder first, second;
+  build(first), build(second);
+  Fragile::broken = true;
+  CachedRun stopped(first.plan, first.catalogue, 1, use_, first.log);
+  EXPECT_EQ(stopped
+                .run(
+                    {first.source("square.square")},
+                    [](const Reuse&) { return std::vector<Sink>{}; }, first.options)
+                .end,
+            RunRecord::End::kFailed);
+  // One that can be told from what the map would compute.
+  ItemJournal journal(use_.store);
+  ObjectStore store(use_.store);
+  const Digest key = stopped.keys()[1].digest;
+  const StoredObject marked = store.put([](ByteSink& sink) { encode(Number{-7}, sink); });
+  journal.add(key, "square", {30, 2, marked.digest, marked.size});
+  const int made = static_cast<int>(journal.items(key, "square").size());
+  Fragile::broken = false;
+  Fragile::computed = 0;
+  EXPECT_EQ(run(second, "square.square").values,
+            (std::vector<std::int64_t>{0, 1, -7, 9, 16, 25, 36, 49, 64, 81}));
+  EXPECT_EQ(Fragile::computed, 10 - made);
+  EXPECT_TRUE(journal.items(key, "square").empty());
+}
+
+TEST(ItemJournal, LeavesOutWhatWasTornAtTheEnd) {
+  ::stope::testing::MemoryContext context;
+  ItemJournal journal(context.temporary_folder());
+  const Digest key{1, 2};
+  journal.add(key, "grid", {10, 0, {3, 4}, 5});
+  journal.add(key, "grid", {20, 1, {6, 7}, 8});
+  const fs::path file = context.temporary_folder() / "partial" / (key.text() + ".grid");
+  fs::resize_file(file, fs::file_size(file) - 1);
+  const auto items = journal.items(key, "grid");
+  ASSERT_EQ(items.size(), 1U);
+  EXPECT_EQ(items.at(0).object, (Digest{3, 4}));
+  EXPECT_TRUE(journal.items(key, "other").empty());
 }
 
 TEST_F(CachedRunTest, NotesComeBackInLaterRunsOfTheSameKey) {
