@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "framework/cache/item_journal.hpp"
 #include "framework/cache/kept_stage.hpp"
 #include "framework/cache/object_store.hpp"
 #include "framework/cache/reuse.hpp"
