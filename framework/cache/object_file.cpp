@@ -56,6 +56,15 @@ struct FreeDecompressor {
 }  // namespace
 
 struct ObjectWriter::State {
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  // Here and not in the writer's, which does not run if its constructor meets a full disk.
+  ~State() {
+    if (descriptor >= 0) ::close(descriptor);
+    if (present) ::unlink(path.c_str());
+  }
+
   std::filesystem::path path;
   int descriptor = -1;
   bool present = false;
@@ -89,10 +98,7 @@ ObjectWriter::ObjectWriter(const std::filesystem::path& folder)
   write_all(state_->descriptor, empty.data(), empty.size(), state_->path);
 }
 
-ObjectWriter::~ObjectWriter() {
-  if (state_->descriptor >= 0) ::close(state_->descriptor);
-  if (state_->present) ::unlink(state_->path.c_str());
-}
+ObjectWriter::~ObjectWriter() = default;
 
 void ObjectWriter::write(const void* data, std::size_t size) {
   if (size == 0) return;
