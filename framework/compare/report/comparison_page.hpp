@@ -11,8 +11,8 @@ namespace stope::report {
 /// comparison's folder.
 std::string comparison_page(const Comparison& comparison);
 
-/// Writes report.html, verdicts.csv, measures.csv, stage_times.csv and verdicts.json into the
-/// comparison's folder, each whole or not at all. Throws Error with a sentence if that fails.
+/// Writes report.html and the files it offers (downloads_of) into the comparison's folder, each
+/// whole or not at all. Throws Error with a sentence if that fails.
 void write_comparison_report(const Comparison& comparison);
 
 }  // namespace stope::report

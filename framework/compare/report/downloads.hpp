@@ -15,7 +15,7 @@ struct Download {
   std::string text;
 };
 
-/// verdicts.csv, measures.csv, stage_times.csv and verdicts.json.
+/// verdicts.csv, measures.csv, stage_times.csv and verdicts.json; timings.csv if any were taken.
 std::vector<Download> downloads_of(const Comparison& comparison,
                                    const std::vector<ArmVerdicts>& verdicts);
 
@@ -25,7 +25,9 @@ std::string verdicts_csv(const Comparison& comparison, const std::vector<ArmVerd
 std::string measures_csv(const Comparison& comparison);
 /// One line a cell and stage.
 std::string stage_times_csv(const Comparison& comparison);
-/// What was found, with the paired differences; comparison.json holds what it was found from.
+/// One line a pair of runs taken in turns.
+std::string timings_csv(const Comparison& comparison);
+/// What was found, and the figures it was found from.
 std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVerdicts>& verdicts);
 
 /// A word for programs: `better`, `no_difference_shown`…

@@ -114,14 +114,33 @@ std::string stage_times_csv(const Comparison& comparison) {
   return std::move(csv).text();
 }
 
+std::string timings_csv(const Comparison& comparison) {
+  Csv csv("recording,seed,arm,pair,baseline_seconds,arm_seconds");
+  for (const TimedPair& timed : comparison.timings)
+    for (std::size_t i = 0; i < timed.arm_seconds.size() && i < timed.baseline_seconds.size(); ++i)
+      csv.add(comparison.recordings[timed.recording].name)
+          .add(std::uint64_t{comparison.seeds[timed.seed]})
+          .add(comparison.arms[timed.arm].name)
+          .add(std::uint64_t{i})
+          .add(timed.baseline_seconds[i])
+          .add(timed.arm_seconds[i])
+          .end_line();
+  return std::move(csv).text();
+}
+
 std::vector<Download> downloads_of(const Comparison& comparison,
                                    const std::vector<ArmVerdicts>& verdicts) {
-  return {
+  std::vector<Download> downloads{
       {"verdicts.csv", "text/csv", "a line an arm and metric", verdicts_csv(comparison, verdicts)},
       {"measures.csv", "text/csv", "a line a run and metric", measures_csv(comparison)},
-      {"stage_times.csv", "text/csv", "a line a run and stage", stage_times_csv(comparison)},
-      {"verdicts.json", "application/json", "what was found, with the paired differences",
-       verdicts_json(comparison, verdicts)}};
+      {"stage_times.csv", "text/csv", "a line a run and stage", stage_times_csv(comparison)}};
+  if (!comparison.timings.empty())
+    downloads.push_back(
+        {"timings.csv", "text/csv", "a line a pair taken in turns", timings_csv(comparison)});
+  downloads.push_back({"verdicts.json", "application/json",
+                       "what was found, and the figures it was found from",
+                       verdicts_json(comparison, verdicts)});
+  return downloads;
 }
 
 }  // namespace stope::report

@@ -46,11 +46,30 @@ Json measure_json(const ComparedMeasure& measure) {
   return json;
 }
 
+Json run_json_of(const Comparison& comparison, const ComparedCell& cell) {
+  Json measures = Json::object();
+  for (std::size_t i = 0; i < cell.measures.size() && i < comparison.metrics.size(); ++i)
+    measures[comparison.metrics[i].name] = number(cell.measures[i]);
+  return {{"recording", comparison.recordings[cell.recording].name},
+          {"seed", comparison.seeds[cell.seed]},
+          {"arm", comparison.arms[cell.arm].name},
+          {"status", name_of(cell.status)},
+          {"measures", measures}};
+}
+
+Json timed_json(const Comparison& comparison, const TimedPair& timed) {
+  return {{"recording", comparison.recordings[timed.recording].name},
+          {"seed", comparison.seeds[timed.seed]},
+          {"arm", comparison.arms[timed.arm].name},
+          {"baseline_seconds", timed.baseline_seconds},
+          {"arm_seconds", timed.arm_seconds}};
+}
+
 }  // namespace
 
 std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVerdicts>& verdicts) {
   Json arms = Json::array(), metrics = Json::array(), found = Json::array(),
-       exclusions = Json::array();
+       exclusions = Json::array(), runs = Json::array(), timings = Json::array();
   for (const ComparedArm& arm : comparison.arms)
     arms.push_back({{"name", arm.name},
                     {"overrides", arm.overrides},
@@ -70,6 +89,9 @@ std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVer
          {"seed", left_out.seed},
          {"metric", left_out.metric.empty() ? Json(nullptr) : Json(left_out.metric)},
          {"sentence", left_out.sentence}});
+  for (const ComparedCell& cell : comparison.cells) runs.push_back(run_json_of(comparison, cell));
+  for (const TimedPair& timed : comparison.timings)
+    timings.push_back(timed_json(comparison, timed));
   const Json json{{"format", 1},
                   {"stope", comparison.version},
                   {"name", comparison.name},
@@ -84,6 +106,8 @@ std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVer
                   {"metrics", metrics},
                   {"verdicts", found},
                   {"exclusions", exclusions},
+                  {"runs", runs},
+                  {"timings", timings},
                   {"warnings", comparison.warnings}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -131,7 +131,8 @@ TEST_F(ComparisonInBrowser, ShowsTheRecordingSeedAndArmThatAreChosen) {
 
 TEST_F(ComparisonInBrowser, GivesItsTablesAsFiles) {
   open();
-  for (const char* name : {"verdicts.csv", "measures.csv", "stage_times.csv", "verdicts.json"}) {
+  for (const char* name :
+       {"verdicts.csv", "measures.csv", "stage_times.csv", "timings.csv", "verdicts.json"}) {
     browser_.click(browser_.middle_of("a[download='" + std::string(name) + "']"));
     EXPECT_EQ(made::text_of(browser_.downloaded(name)), made::text_of(report_ / name)) << name;
   }

@@ -52,6 +52,16 @@ TEST(Downloads, StageTimesSayWhatBecameOfEach) {
   EXPECT_EQ(lines[1], "pit-0,0,watershed,done,scans,source/synthetic_pit,shared,1.2,110\r");
 }
 
+TEST(Downloads, TimingsAreALineAPairAndOnlyWhereSomeWereTaken) {
+  Comparison comparison = made::comparison_in("", {2, 1, 1, 0.3, "n", false});
+  EXPECT_EQ(downloads_of(comparison, verdicts_of(comparison)).size(), 4U);
+  comparison.timings = {{1, 0, 0, {1.5, 2}, {0.5, 1}}};
+  EXPECT_EQ(timings_csv(comparison),
+            "recording,seed,arm,pair,baseline_seconds,arm_seconds\r\n"
+            "pit-0,0,voronoi,0,1.5,0.5\r\npit-0,0,voronoi,1,2,1\r\n");
+  EXPECT_EQ(downloads_of(comparison, verdicts_of(comparison)).size(), 5U);
+}
+
 TEST(Downloads, JsonHoldsTheVerdictsAndTheDifferences) {
   Comparison comparison = made::comparison_in("", {2, 8, 1, 0.3, "n", false});
   comparison.exclusions = {{"voronoi", "pit-3", 0, "", "a stage failed \xff"}};
@@ -63,6 +73,8 @@ TEST(Downloads, JsonHoldsTheVerdictsAndTheDifferences) {
   EXPECT_NEAR(apls["differences"]["pit-2"],
               comparison.cell(1, 2, 0).measures[0] - comparison.cell(0, 2, 0).measures[0], 1e-12);
   EXPECT_EQ(json["exclusions"].size(), 1U);
+  EXPECT_EQ(json["runs"].size(), 16U);
+  EXPECT_EQ(json["runs"][3]["measures"]["apls"], comparison.cells[3].measures[0]);
 }
 
 }  // namespace
