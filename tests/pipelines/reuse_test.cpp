@@ -42,8 +42,9 @@ class ReuseTest : public ::testing::Test {
   }
   static int ran(const json& printed) { return printed.at("stages").at("run").get<int>(); }
   json from() const {
+    const json record = json::parse(read_file(out() / "run.json"));
     json from;
-    for (const json& stage : json::parse(read_file(out() / "run.json")).at("stages"))
+    for (const json& stage : record.at("stages"))
       from[stage.at("name").get<std::string>()] = stage.at("from");
     return from;
   }
