@@ -24,7 +24,8 @@ class VoronoiRegions final
             "2016; doors chosen by how much they narrow the way")
         .notes(
             "A door is a place of least clearance along the Voronoi diagram, at most door_ratio of "
-            "the clearance on both sides. For rooms give min_region_area 1 m^2, min_clearance 0.2 "
+            "the clearance on both sides. For rooms give door_ratio 0.99, similar_ratio 0.88, "
+            "hub_ratio 0.64, min_region_area 1 m^2, min_clearance 0.2 "
             "m, min_obstacle_area 1 m^2. The trajectory is not looked at; it is there so that "
             "region_growing can stand in. Where `changed` says that only a window differs from "
             "the grid before, only what that can reach is computed, with the same result.")
@@ -36,6 +37,9 @@ class VoronoiRegions final
                "Widest door, as a share of the width of the narrower of the two regions it joins.")
         .param("similar_ratio", &Params::similar_ratio, between(0.0, 1.0),
                "… and as a share of the geometric mean of both: a corridor's pieces stay together.")
+        .param("hub_ratio", &Params::hub_ratio, between(0.0, 1.0),
+               "Regions with three or more neighbours each become one where their door is at least "
+               "this share of the wider one's width: corridors of a building. 1: never.")
         .param(
             "min_region_area", &Params::min_region_area, "m^2", at_least(0.0),
             "Smaller regions join the neighbour they are most open to; one that has none is left "

@@ -2,7 +2,8 @@
 // Idea: the doors of the Voronoi diagram are the saddles of the clearance (Thrun 1998): the
 // clearest places between two basins. From the clearest saddle down, the basins on both sides
 // become one unless the saddle is a door: clearly narrower than both. From a saddle the border
-// falls along the steepest descents to both walls, which is the critical line.
+// falls along the steepest descents to both walls, which is the critical line. Pieces of corridors
+// are known by their many neighbours, and may narrow more between each other than rooms.
 // Cost: linear in the saddles, which are few beside the cells, but for sorting the rooms.
 #include "plugins/topology/regions/join_at_doors.hpp"
 
@@ -11,6 +12,7 @@
 #include <map>
 #include <utility>
 
+#include "plugins/topology/disjoint_sets.hpp"
 #include "plugins/topology/regions/borders.hpp"
 
 namespace stope::topology {
@@ -98,6 +100,41 @@ std::vector<std::int32_t> join_small(const RegionSet& set, const TileParts& tile
   return now;
 }
 
+/// The same regions with other numbers: `now` has the one that each has become a part of.
+void renumber(RegionSet& set, const std::vector<std::int32_t>& now) {
+  std::vector<std::int32_t> number(now.size(), 0);
+  set.count = 0;
+  for (std::size_t i = 1; i < now.size(); ++i)
+    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++set.count;
+  for (std::int32_t& region : set.of_name)
+    region = number[static_cast<std::size_t>(now[static_cast<std::size_t>(region)])];
+}
+
+/// Hubs that are open to each other become one: the region each becomes.
+std::vector<std::int32_t> join_hubs(const Ground& ground, const RegionSet& set,
+                                    const std::vector<Contact>& contacts, double hub_ratio) {
+  constexpr std::int32_t kNeighboursOfHub = 3;
+  const auto count = static_cast<std::size_t>(set.count) + 1;
+  const std::vector<Border> borders = find_borders(contacts, set);
+  std::vector<std::int32_t> neighbours(count, 0), widest(count, 0), now(count);
+  for (const Border& border : borders) {
+    ++neighbours[static_cast<std::size_t>(border.a)];
+    ++neighbours[static_cast<std::size_t>(border.b)];
+  }
+  for (std::size_t name = 1; name < set.of_name.size(); ++name)
+    if (auto& most = widest[static_cast<std::size_t>(set.of_name[name])]; set.of_name[name] != 0)
+      most = std::max(most, ground.squared(set.key_of_name[name]));
+  DisjointSets joined(count);
+  for (const Border& border : borders) {
+    const auto a = static_cast<std::size_t>(border.a), b = static_cast<std::size_t>(border.b);
+    if (std::min(neighbours[a], neighbours[b]) >= kNeighboursOfHub &&
+        half_width(border.squared) >= hub_ratio * half_width(std::max(widest[a], widest[b])))
+      joined.join(border.a, border.b);
+  }
+  for (std::size_t i = 0; i < count; ++i) now[i] = joined.find(static_cast<std::int32_t>(i));
+  return now;
+}
+
 }  // namespace
 
 RegionSet join_at_doors(const Ground& ground, const Basins& basins, const TileParts& tiles,
@@ -131,13 +168,8 @@ RegionSet join_at_doors(const Ground& ground, const Basins& basins, const TilePa
     if (peaks[i] != 0)
       set.of_name[i] =
           set.of_name[static_cast<std::size_t>(joined.find(static_cast<std::int32_t>(i)))];
-  const std::vector<std::int32_t> now = join_small(set, tiles, contacts, rule.least_area);
-  std::vector<std::int32_t> number(now.size(), 0);
-  set.count = 0;
-  for (std::size_t i = 1; i < now.size(); ++i)
-    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++set.count;
-  for (std::int32_t& region : set.of_name)
-    region = number[static_cast<std::size_t>(now[static_cast<std::size_t>(region)])];
+  renumber(set, join_small(set, tiles, contacts, rule.least_area));
+  if (rule.hub_ratio < 1) renumber(set, join_hubs(ground, set, contacts, rule.hub_ratio));
   return set;
 }
 

@@ -11,14 +11,17 @@ namespace stope::topology {
 struct DoorRule {
   double door_ratio = 0.93;    ///< a door's clearance over that of the narrower room, at most
   double similar_ratio = 0.8;  ///< … and over the geometric mean of both, at most
-  double least_area = 20;      ///< cells of the smallest room; smaller ones join a neighbour
+  double hub_ratio = 1.0;  ///< two hubs at least so open to each other, of the wider one, are one
+  double least_area = 20;  ///< cells of the smallest room; smaller ones join a neighbour
 };
 
 /// Makes rooms of basins: those stay apart between which the clearest way leads through a door, a
 /// place at most door_ratio as clear as the clearest of the narrower room, and at most
 /// similar_ratio as clear as the geometric mean of both, so that pieces of one corridor stay
-/// together where a corridor and a hall are told apart. Rooms are numbered from the clearest on.
-/// `contacts` are those of all tiles, the clearest first.
+/// together where a corridor and a hall are told apart. Of those, two that have three or more
+/// neighbours each are hubs, pieces of corridors, and become one if the door is at least hub_ratio
+/// as clear as the clearest place of both. Rooms are numbered from the clearest on. `contacts` are
+/// those of all tiles, the clearest first.
 RegionSet join_at_doors(const Ground& ground, const Basins& basins, const TileParts& tiles,
                         const std::vector<Contact>& contacts, const DoorRule& rule,
                         const Checkpoint& checkpoint);

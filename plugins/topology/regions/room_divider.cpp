@@ -95,9 +95,9 @@ RegionsAndRoads RoomDivider::finish(State& state, const TileSet* changed,
                                     const Checkpoint& checkpoint) const {
   const double resolution = state.ground.frame().resolution;
   const double least_area = rule_.min_region_area / (resolution * resolution);
-  const RegionSet rooms =
-      join_at_doors(state.ground, state.basins, state.tiles, state.contacts,
-                    {rule_.door_ratio, rule_.similar_ratio, least_area}, checkpoint);
+  const RegionSet rooms = join_at_doors(
+      state.ground, state.basins, state.tiles, state.contacts,
+      {rule_.door_ratio, rule_.similar_ratio, rule_.hub_ratio, least_area}, checkpoint);
   return finish_regions(state.ground, state.basins.cells(), state.tiles, state.contacts, rooms,
                         least_area, roads_, checkpoint, &state.memo, changed);
 }

@@ -15,6 +15,7 @@ class RoomDivider {
   struct Rule {
     double door_ratio = 0.93;
     double similar_ratio = 0.8;
+    double hub_ratio = 1.0;
     double min_region_area = 50.0;  ///< m^2
   };
 

@@ -2,6 +2,7 @@
 // maps. Protocol and published figures: docs/regions.md.
 //   STOPE_PICTURES=folder   also paints every segmentation there
 //   RUNS=0                  leaves out the times; CHANGES=0 those after changes
+//   LEFT_OUT=0              leaves out what leaving maps out gives
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -210,7 +211,8 @@ OccupancyGrid blocks(std::int32_t side) {
 }
 
 void score_rooms(const std::vector<RoomMap>& maps) {
-  const topology::RoomDivider::Rule rule{number("DOOR_RATIO", 0.93), number("SIMILAR", 0.8), 1.0};
+  const topology::RoomDivider::Rule rule{number("DOOR_RATIO", 0.99), number("SIMILAR", 0.88),
+                                         number("HUB", 0.64), 1.0};
   struct Sum {
     double recall = 0, precision = 0, mcc = 0, mean = 0, pairs = 0;
     int count = 0;
@@ -250,6 +252,63 @@ void score_rooms(const std::vector<RoomMap>& maps) {
   }
 }
 
+/// What the rule gives on a map that it was not chosen on: similar_ratio and hub_ratio are the best
+/// ones of the other maps without furniture, by the mean of both coefficients.
+void leave_one_out(const std::vector<RoomMap>& all) {
+  std::vector<topology::RoomDivider::Rule> rules;
+  for (double similar = 0.76; similar < 0.965; similar += 0.04)
+    for (double hub = 0.52; hub < 1.01; hub += 0.06)
+      rules.push_back({0.99, similar, std::min(1.0, hub), 1.0});
+  std::vector<RoomMap> maps;
+  for (const RoomMap& map : all)
+    if (map.name.find("bins") == std::string::npos) maps.push_back(map);
+  const auto furnished = [](const RoomMap& map) {
+    return map.name.find("furnitures") != std::string::npos;
+  };
+  std::vector<std::vector<metric::RegionScores>> scores;
+  for (const RoomMap& map : maps) {
+    const OccupancyGrid grid = read_rooms(map.picture, kResolution);
+    const auto truth = metric::read_labelled_rooms(map.truth, 250, 400);
+    scores.emplace_back();
+    for (const auto& rule : rules)
+      scores.back().push_back(metric::score_regions(
+          truth.cells, divider(rule, room_extraction()).full(grid, false).map.labels.cells));
+  }
+  const auto best_without = [&](const std::string& name) {
+    std::size_t best = 0;
+    double most = -1;
+    for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+      double sum = 0;
+      for (std::size_t i = 0; i < maps.size(); ++i)
+        if (!furnished(maps[i]) && maps[i].name != name)
+          sum += scores[i][rule].mcc + scores[i][rule].mcc_mean;
+      if (sum > most) most = sum, best = rule;
+    }
+    return best;
+  };
+  fmt::print("\nLeft out: the ratios that are best on the six other maps\n");
+  double mcc[2] = {0, 0}, mean[2] = {0, 0};
+  int count = 0;
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (furnished(maps[i])) continue;
+    const std::size_t rule = best_without(maps[i].name);
+    fmt::print("{:32} similar_ratio {:.2f}, hub_ratio {:.2f}:", maps[i].name,
+               rules[rule].similar_ratio, rules[rule].hub_ratio);
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+      if (k != i && maps[k].name != maps[i].name + "_furnitures") continue;
+      const auto& s = scores[k][rule];
+      fmt::print(" {} mcc {:.3f} mean {:.3f}", furnished(maps[k]) ? "| furniture" : "", s.mcc,
+                 s.mcc_mean);
+      mcc[furnished(maps[k])] += s.mcc, mean[furnished(maps[k])] += s.mcc_mean;
+    }
+    fmt::print("\n");
+    ++count;
+  }
+  for (const int with : {0, 1})
+    fmt::print("mean, {} furniture: mcc {:.3f} mean {:.3f}\n", with ? "with" : "without",
+               mcc[with] / std::max(1, count), mean[with] / std::max(1, count));
+}
+
 }  // namespace
 }  // namespace stope::benchmarks
 
@@ -260,6 +319,7 @@ int main() {
   const auto maps = room_maps(folder / "room_maps");
   if (maps.empty()) fmt::print("no room maps in {}: set STOPE_DATA\n", folder.string());
   score_rooms(maps);
+  if (number("LEFT_OUT", 1) > 0) leave_one_out(maps);
   table_one(folder / "room_maps");
   if (number("RUNS", 3) < 1) return 0;
   const auto mine = folder / "open_pit_maps" / "dapai_0p5m.png";

@@ -21,7 +21,7 @@ OccupancyGrid two_rooms(std::int32_t door) {
 RegionMap rooms_of(const OccupancyGrid& grid, double door_ratio) {
   ExtractionParams params;
   params.min_obstacle_area = 0;
-  return RoomDivider(params, {door_ratio, 1, 0}, {}).full(grid, false).map;
+  return RoomDivider(params, {door_ratio, 1, 1, 0}, {}).full(grid, false).map;
 }
 
 std::size_t count_of(const OccupancyGrid& grid, double door_ratio) {
@@ -65,6 +65,35 @@ TEST(Doors, EveryFreeCellIsInARegionAndNoOther) {
     EXPECT_EQ(used.size(), map.regions.size());
     EXPECT_EQ(*used.rbegin(), static_cast<std::int32_t>(map.regions.size()));
   }
+}
+
+/// Three halls in a row, each with a room above and one below, with doors of 4 cells; between the
+/// halls the way is `opening` of their 20 cells wide.
+OccupancyGrid halls_with_rooms(std::int32_t opening) {
+  return grid_where(70, 66, 1, [&](double x, double y) {
+    if (x < 2 || x > 68 || y < 1 || y > 65) return false;
+    const double in_hall = std::fmod(x - 2, 22.0);
+    if (y > 21 && y < 23) return std::abs(in_hall - 11) < 2;  // doors down
+    if (y > 43 && y < 45) return std::abs(in_hall - 11) < 2;  // doors up
+    const bool wall = in_hall > 20 || x < 4;
+    if (y > 23 && y < 43) return !wall || (x > 4 && std::abs(y - 33) < opening / 2.0);
+    return !wall;
+  });
+}
+
+TEST(Doors, HallsThatAreOpenToEachOtherAreOneCorridorAndTheirRoomsAreNot) {
+  ExtractionParams params;
+  params.min_obstacle_area = 0;
+  const auto count = [&](std::int32_t opening, double hub_ratio) {
+    return RoomDivider(params, {0.99, 0.88, hub_ratio, 0}, {})
+        .full(halls_with_rooms(opening), false)
+        .map.regions.size();
+  };
+  EXPECT_EQ(count(14, 1.0), 9U);
+  // The halls at both ends have a single hall beside them, but two rooms as well.
+  EXPECT_EQ(count(14, 0.5), 7U);
+  EXPECT_EQ(count(14, 0.8), 9U);
+  EXPECT_EQ(count(6, 0.5), 9U);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(RoomDivider, AfterChangesOfAllKindsIsAsIfItHadLookedAtAll) {
   extraction.min_clearance = 0.1;
   extraction.min_obstacle_area = 0.4;
   extraction.simplify = 0.05;
-  const RoomDivider::Rule rule{0.93, 0.8, 0.5};
+  const RoomDivider::Rule rule{0.95, 0.85, 0.6, 0.5};
   std::size_t reused = 0, regions = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     OccupancyGrid grid = rooms_with_heaps(seed);
