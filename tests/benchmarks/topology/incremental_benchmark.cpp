@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
   run_all("60 % free", synthetic(), false, options);
   const cv::Mat image = read_mine();
   if (image.empty()) return 0;
-  const OccupancyGrid mine = fullest_window(from_image(image, 0.1));
+  const stope::OccupancyGrid mine = fullest_window(from_image(image, 0.1));
   run_all("Mine", mine, false, options);
   run_all("Mine where it is free", mine, true, options);
 }
