@@ -26,6 +26,12 @@ RouteIndex::RouteIndex(const RouteRecords& records, const std::string& file)
       fail(link.origin, fmt::format("edge {} is there already, as feature {}: ids must be unique",
                                     link.id, found->second));
     shared_ids_ += records_of_.contains(link.id) ? 1 : 0;
+    need(link.start, "startid", link.origin);
+    need(link.end, "endid", link.origin);
+  }
+  for (const RoadRecord& road : records.closed) {
+    need(road.start, "startid", road.origin);
+    need(road.end, "endid", road.origin);
   }
 }
 

@@ -1,6 +1,8 @@
 // What export/nav2_route writes, read back.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "plugins/export/route_writer.hpp"
@@ -44,6 +46,43 @@ TEST(Nav2RouteBack, EveryGraphComesBackToTheLastBit) {
       EXPECT_EQ(digest_of(back), digest_of(graph)) << "seed " << seed << ", " << tolerance << " m";
       EXPECT_FALSE(warns(sentences, ".geojson")) << sentences.at(0);
     }
+  }
+}
+
+TEST(Nav2RouteBack, WhatMayBeDrivenOnARoadComesBackOpenOrClosed) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  RoadGraph graph;
+  for (int i = 0; i < 3; ++i) graph.nodes.push_back({0, 100.0 * i, 5, unknown});
+  for (const auto direction :
+       {RoadDirection::kBoth, RoadDirection::kForward, RoadDirection::kBackward})
+    for (const std::uint32_t closed : {0U, 1U})
+      for (const double limit : {unknown, 8.0, 11.25})
+        for (const double lane : {unknown, 9.0, 4.5}) {
+          RoadEdge edge;
+          edge.from = closed, edge.to = closed + 1;
+          edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
+          edge.vertex_count = 3;
+          // Each takes a way of its own, so that none stands in for another.
+          const double off = 3.0 + static_cast<double>(graph.edges.size());
+          const double x = 100.0 * closed;
+          for (const auto& [dx, dy] : {std::pair(0.0, 5.0), {50.0, 5 + off}, {100.0, 5.0}})
+            graph.vertices.push_back({x + dx, dy, unknown, 6});
+          edge.width = 12;
+          edge.direction = direction, edge.closed = closed;
+          edge.speed_limit = limit, edge.lane_width = lane;
+          graph.edges.push_back(edge);
+        }
+  canonicalize(graph);
+  const RoadGraph back = read_route(written(graph));
+  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  ASSERT_EQ(back.edges.size(), 54U);
+  for (std::size_t i = 0; i < back.edges.size(); ++i) {
+    const RoadEdge &now = back.edges[i], &before = graph.edges[i];
+    EXPECT_EQ(now.id, before.id);
+    EXPECT_EQ(now.direction, before.direction);
+    EXPECT_EQ(now.closed, before.closed);
+    EXPECT_TRUE(same(now.speed_limit, before.speed_limit)) << now.speed_limit;
+    EXPECT_TRUE(same(now.lane_width, before.lane_width)) << now.lane_width;
   }
 }
 
@@ -111,6 +150,22 @@ TEST(Nav2RouteBack, AMissingPartOfARoadIsNamed) {
   EXPECT_NE(without(8).find("6 parts (each in both directions), and 5 are there"),
             std::string::npos)
       << without(8);
+}
+
+TEST(Nav2RouteBack, AnEndThatIsNoNodeIsNamedWhereItStands) {
+  // Its opposite, which is sound, does not join the same nodes then: that is not what is wrong.
+  for (const char* key : {"startid", "endid"}) {
+    bool changed = false;
+    const std::string text = edited(written(made_roads(4)), [&](json& feature) {
+      if (!changed && feature["geometry"]["type"] == "LineString")
+        feature["properties"][key] = 4000000, changed = true;
+      return true;
+    });
+    const std::string said = read_error(text);
+    EXPECT_NE(said.find("its " + std::string(key) + " is 4000000, and there is no node of that id"),
+              std::string::npos)
+        << said;
+  }
 }
 
 TEST(Nav2RouteBack, PartsThatNoLongerFitAreNamed) {

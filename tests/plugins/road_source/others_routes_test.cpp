@@ -95,7 +95,7 @@ TEST(OthersRoutes, WrongIdsAreNamedWithFeatureAndLine) {
   const auto error = [&](std::vector<json> features) { return read_error(collection(features)); };
   EXPECT_EQ(error({a, b, edge(5, 0, 1)}), "");
   EXPECT_NE(error({a, b, edge(5, 0, 7)})
-                .find("feature 3: its startid or endid is 7, and there is "
+                .find("feature 3: its endid is 7, and there is "
                       "no node of that id"),
             std::string::npos)
       << error({a, b, edge(5, 0, 7)});
