@@ -51,7 +51,7 @@ void keep_away(FreeCells& cells, double clearance) {
 
 }  // namespace
 
-class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
+class Detour final : public Map<Measures(RoadGraph, OccupancyGrid, Optional<RoadGraph>)> {
  public:
   struct Params : FreeRule {
     std::int64_t pairs = 200;
@@ -69,8 +69,10 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
             "likely. Between free: both are centres of free cells, joined by a geodesic to the "
             "nearest place of the graph, which counts. Pairs that the graph does not join are a "
             "share of their own, not in the percentiles; without any they are infinite. Roads are "
-            "driven both ways.")
-        .ports("roads", "grid", "measures")
+            "driven both ways. With a true graph, its own routes between the same pairs are "
+            "measured too, from its places nearest to them: the detours of roads as they are, and "
+            "how much longer the graph's routes are than these, which is the extractor's share.")
+        .ports("roads", "grid", "truth", "measures")
         .param("pairs", &Params::pairs, between_pairs(), "How many pairs are measured.")
         .param("min_distance", &Params::min_distance, "m", more_than(0.0),
                "Pairs whose geodesic is shorter are drawn again.")
@@ -82,14 +84,18 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
     describe_free_rule(about);
   }
 
-  Measures apply(const RoadGraph& roads, const OccupancyGrid& grid, Context& context) const {
+  Measures apply(const RoadGraph& roads, const OccupancyGrid& grid,
+                 const Optional<RoadGraph>& truth, Context& context) const {
     check_graph(roads, "roads");
+    if (truth) check_truth(*truth);
     FreeCells cells = free_cells(grid, params);
     if (params.min_clearance > 0) keep_away(cells, params.min_clearance);
     MeasuredGraph graph(roads);
+    std::optional<MeasuredGraph> real;
+    if (truth) real.emplace(*truth);
     Result result;
     if (graph.lines.total_length() > 0) {
-      result = measure(graph, cells, context);
+      result = measure(graph, real ? &*real : nullptr, cells, context);
     } else {
       context.warn("the graph has no roads, so there are no routes: detours are infinite");
     }
@@ -101,25 +107,30 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
           fmt::format("the longest detour, {:.3f}, is from ({:.1f}, {:.1f}) to ({:.1f}, "
                       "{:.1f})",
                       worst, result.from.x(), result.from.y(), result.to.x(), result.to.y()));
-    return MeasureList(
-               fmt::format(
-                   "{} random pairs between {}, geodesics of at least {} m, any angle, {} m "
-                   "from obstacles; {} measured, {} not joined by the graph, {} with a "
-                   "place off free space",
-                   params.pairs, params.between, params.min_distance, params.min_clearance,
-                   result.detours.size(), result.apart, result.off_free))
-        .add("detour_p50", percentile(result.detours, 0.5))
+    MeasureList list(
+        fmt::format("{} random pairs between {}, geodesics of at least {} m, any angle, {} m "
+                    "from obstacles; {} measured, {} not joined by the graph, {} with a "
+                    "place off free space",
+                    params.pairs, params.between, params.min_distance, params.min_clearance,
+                    result.detours.size(), result.apart, result.off_free));
+    list.add("detour_p50", percentile(result.detours, 0.5))
         .add("detour_p95", percentile(result.detours, 0.95))
         .add("detour_max", worst)
-        .add("detour_unreachable", apart)
-        .take();
+        .add("detour_unreachable", apart);
+    if (truth)
+      list.add("true_detour_p50", percentile(result.true_detours, 0.5))
+          .add("true_detour_p95", percentile(result.true_detours, 0.95))
+          .add("route_to_true_p50", percentile(result.to_true, 0.5))
+          .add("route_to_true_p95", percentile(result.to_true, 0.95))
+          .add("route_to_true_max", percentile(result.to_true, 1));
+    return list.take();
   }
 
  private:
   static Limits between_pairs() { return stope::between(1, 100000); }
 
   struct Result {
-    std::vector<double> detours;
+    std::vector<double> detours, true_detours, to_true;
     std::size_t apart = 0, off_free = 0;
     Vector2 from = Vector2::Zero(), to = Vector2::Zero();  // of the longest detour
   };
@@ -130,12 +141,16 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
     double link = 0;
   };
 
-  Result measure(MeasuredGraph& graph, const FreeCells& cells, Context& context) const {
+  Result measure(MeasuredGraph& graph, MeasuredGraph* truth, const FreeCells& cells,
+                 Context& context) const {
     Geodesics geodesics(cells);
     const PlacesOnRoads places(graph.lines);
     Random random = context.random();
     const auto draw = [&]() -> std::optional<End> {
-      if (params.between == "free") return draw_free(graph, cells, geodesics, random);
+      if (params.between == "free") {
+        const auto place = draw_free(cells, random);
+        return place ? std::optional(joined(*place, graph, geodesics)) : std::nullopt;
+      }
       const RoadPlace road = places.draw(random);
       return End{graph.lines.position(road), road, 0};
     };
@@ -158,6 +173,13 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
         continue;
       }
       result.detours.push_back(route / *geodesic);
+      if (truth) {
+        const double real = true_route(from->position, to->position, *truth, geodesics);
+        if (real > 0 && real < RoadDistances::kUnreachable) {
+          result.true_detours.push_back(real / *geodesic);
+          result.to_true.push_back(route / real);
+        }
+      }
       if (result.detours.back() <= longest) continue;
       longest = result.detours.back();
       result.from = from->position;
@@ -166,16 +188,28 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid)> {
     return result;
   }
 
-  static std::optional<End> draw_free(const MeasuredGraph& graph, const FreeCells& cells,
-                                      Geodesics& geodesics, Random& random) {
+  static std::optional<Vector2> draw_free(const FreeCells& cells, Random& random) {
     const auto place = static_cast<std::size_t>(random.below(cells.free.size()));
     if (!cells.free[place]) return std::nullopt;
     const auto width = static_cast<std::size_t>(cells.frame.width);
-    const Vector2 position = cells.frame.centre(
+    return cells.frame.centre(
         {static_cast<std::int32_t>(place % width), static_cast<std::int32_t>(place / width)});
+  }
+
+  static End joined(const Vector2& position, const MeasuredGraph& graph, Geodesics& geodesics) {
     const auto near = graph.lines.nearest(position);
     const auto link = geodesics.between(position, near->position);
-    return End{position, near->place, link.value_or(RoadDistances::kUnreachable)};
+    return {position, near->place, link.value_or(RoadDistances::kUnreachable)};
+  }
+
+  double true_route(const Vector2& from, const Vector2& to, MeasuredGraph& truth,
+                    Geodesics& geodesics) const {
+    if (params.between == "free") {
+      const End a = joined(from, truth, geodesics), b = joined(to, truth, geodesics);
+      return a.link + truth.distances.between(a.road, b.road) + b.link;
+    }
+    return truth.distances.between(truth.lines.nearest(from)->place,
+                                   truth.lines.nearest(to)->place);
   }
 };
 

@@ -33,6 +33,16 @@ void describe_extraction(About<Stage>& about) {
              "Give a graph without roads instead of an error, for streams of live grids.");
 }
 
+/// Of members whose lines are those of the medial axis, or of a part of it.
+template <class Stage>
+void describe_lines(About<Stage>& about) {
+  about.param(
+      "medial_lines", &ExtractionParams::medial_lines,
+      "Whether lines stay on the exact medial axis, with the greatest clearance, which bends "
+      "into every opening. Otherwise roads go straight on where others join them, and meet "
+      "where their own centre lines do.");
+}
+
 /// Of members that keep roads that end.
 template <class Stage>
 void describe_branches(About<Stage>& about) {

@@ -14,7 +14,8 @@ struct ExtractionParams {
   double simplify = 0.2;
   double occupied_threshold = 0.5;
   bool unknown_is_obstacle = true;
-  bool allow_empty = false;  ///< heeded by the stages: the functions below give empty graphs
+  bool allow_empty = false;   ///< heeded by the stages: the functions below give empty graphs
+  bool medial_lines = false;  ///< stay on the medial axis, also where roads meet
   bool operator==(const ExtractionParams&) const = default;
 };
 

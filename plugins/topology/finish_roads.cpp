@@ -26,14 +26,13 @@ RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGri
     prune_spurs(network,
                 {method.branches.min_branch / frame.resolution, method.branches.min_branch_share});
   checkpoint();
-  // A skeleton stays on the medial axis, also where that bends into every opening; but two lines
-  // from one joined junction must not run side by side.
-  const bool exact = method.kind == ExtractionMethod::Kind::kSkeleton;
-  merge_junctions(network, kJunctionShare, exact);
+  // The medial axis bends into every opening; where it is kept, two lines from one joined junction
+  // must still not run side by side.
+  merge_junctions(network, kJunctionShare, method.params.medial_lines);
   checkpoint();
-  if (!exact) straighten_junctions(network);
-  return to_road_graph(network, outlines, edges, space, frame,
-                       {method.params.simplify, exact ? 0.0 : kSmoothingShare}, checkpoint, memo);
+  if (!method.params.medial_lines) straighten_junctions(network);
+  const LineStyle style{method.params.simplify, method.params.medial_lines ? 0.0 : kSmoothingShare};
+  return to_road_graph(network, outlines, edges, space, frame, style, checkpoint, memo);
 }
 
 }  // namespace stope::topology

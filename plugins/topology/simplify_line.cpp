@@ -7,13 +7,19 @@
 namespace stope::topology {
 namespace {
 
-double distance_to_segment(const LinePoint& point, const LinePoint& a, const LinePoint& b) {
+/// How far a point is off the stretch from a to b, and its distance off what is drawn along it.
+struct Offset {
+  double place = 0, distance = 0;
+};
+
+Offset offset_from(const LinePoint& point, const LinePoint& a, const LinePoint& b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double squared = dx * dx + dy * dy;
   double part = 0;
   if (squared > 0)
     part = std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / squared, 0.0, 1.0);
-  return distance_between(point, {a.x + part * dx, a.y + part * dy, 0});
+  return {distance_between(point, {a.x + part * dx, a.y + part * dy, 0}),
+          std::abs(a.distance + part * (b.distance - a.distance) - point.distance)};
 }
 
 }  // namespace
@@ -45,7 +51,8 @@ std::vector<LinePoint> smooth_line(const std::vector<LinePoint>& points, double 
   return result;
 }
 
-std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, double tolerance) {
+std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, double tolerance,
+                                     double distance_share) {
   if (points.size() <= 2) return points;
   std::vector<bool> kept(points.size(), false);
   kept.front() = kept.back() = true;
@@ -53,17 +60,21 @@ std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, doubl
   while (!open.empty()) {
     const auto [first, last] = open.back();
     open.pop_back();
-    double largest = -1;
-    std::size_t farthest = first;
+    double largest = -1, most_excess = 0;
+    std::size_t farthest = first, worst = first;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double off = distance_to_segment(points[i], points[first], points[last]);
-      if (off <= largest) continue;
-      largest = off;
-      farthest = i;
+      const Offset off = offset_from(points[i], points[first], points[last]);
+      if (off.place > largest) largest = off.place, farthest = i;
+      const double excess = off.distance - std::max(tolerance, distance_share * points[i].distance);
+      if (excess > most_excess) most_excess = excess, worst = i;
     }
     const bool closed = first == 0 && last + 1 == points.size() &&
                         distance_between(points[first], points[last]) == 0;
-    if (farthest == first || (largest <= tolerance && !closed)) continue;
+    if (farthest == first) continue;
+    if (largest <= tolerance && !closed) {
+      if (worst == first) continue;
+      farthest = worst;
+    }
     kept[farthest] = true;
     open.emplace_back(first, farthest);
     open.emplace_back(farthest, last);

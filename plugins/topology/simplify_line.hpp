@@ -13,7 +13,10 @@ std::vector<LinePoint> smooth_line(const std::vector<LinePoint>& points, double 
                                    double share);
 
 /// Leaves out points that lie within `tolerance` cells of the line without them (Ramer 1972;
-/// Douglas and Peucker 1973). Ends stay; a ring keeps at least two points between them.
-std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, double tolerance);
+/// Douglas and Peucker 1973), and whose distance to the obstacle, drawn straight along it, is
+/// within `tolerance` or `distance_share` of itself, whichever is more. Ends stay; a ring keeps at
+/// least two points between them.
+std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, double tolerance,
+                                     double distance_share = 1e9);
 
 }  // namespace stope::topology

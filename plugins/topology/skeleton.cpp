@@ -18,7 +18,7 @@ class Skeleton final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGri
   } params;
 
   static void describe(About<Skeleton>& about) {
-    about.summary("Road graph along the exact medial axis of free space, with dead ends.")
+    about.summary("Road graph along the medial axis of free space, with dead ends.")
         .from(
             "chord residual after Ogniewicz and Kuebler 1995; lambda-medial axis after Chazal and "
             "Lieutier 2005; branches by erosion thickness after Liu et al. 2011")
@@ -32,6 +32,7 @@ class Skeleton final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGri
         .ports("grid", "elevation", "roads");
     describe_extraction(about);
     describe_branches(about);
+    describe_lines(about);
     about
         .param("pruning", &Params::pruning, one_of({"chord_residual", "lambda"}),
                "Which part of the medial axis is looked at: by the way along the outline between "

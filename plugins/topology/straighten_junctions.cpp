@@ -7,6 +7,15 @@
 namespace stope::topology {
 namespace {
 
+// Beyond a junction's circle roads are widened by its corners, mostly to this many radii.
+constexpr double kFlare = 2.2;
+constexpr double kAsNarrow = 1.06;  // of the narrowest place there
+constexpr double kFit = 2;          // clearances of road that tell how it goes on
+constexpr double kMostMismatch = 1.0;
+constexpr double kCurvatureShare = 0.5;  // of a side road, whose continuation is not seen
+constexpr double kPull = 0.25;           // of the old place against side roads' continuations
+constexpr double kLeastClearance = 0.2;  // of what a new line has at its ends
+
 std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
 
 /// One end of a line at a junction.
@@ -16,26 +25,29 @@ struct End {
   std::size_t line = 0;  ///< among those of the junction
 };
 
-/// How a road leaves a junction's circle: the place, and its direction outwards.
+/// How a road leaves a junction: from where on it is itself again, and how it goes on from there.
 struct Exit {
   std::size_t end = 0;    ///< among those of the junction
   std::size_t index = 0;  ///< of the place along the line, from the junction
   LinePoint place;
-  double dx = 0, dy = 0;  ///< of the stretch beyond the place, on the whole
-  double tx = 0, ty = 0;  ///< at the place itself
+  double dx = 0, dy = 0;  ///< direction outwards at the place
+  double curvature = 0;   ///< there, of the way outwards; to the left is positive
   bool directed = false;  ///< the road is long enough to have a direction
 };
 
-double distance_to_ray(const LinePoint& point, const Exit& exit) {
-  return (point.x - exit.place.x) * exit.dy - (point.y - exit.place.y) * exit.dx;
+double cross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
+
+/// How far a point is off the road's own continuation into the junction, drawn as a parabola of
+/// `share` of its curvature.
+double distance_to_continuation(const LinePoint& point, const Exit& exit, double share) {
+  const double x = point.x - exit.place.x, y = point.y - exit.place.y;
+  const double inwards = -(x * exit.dx + y * exit.dy);
+  return cross(exit.dx, exit.dy, x, y) - 0.5 * share * exit.curvature * inwards * inwards;
 }
 
-double distance_to_tangent(const LinePoint& point, const Exit& exit) {
-  return (point.x - exit.place.x) * exit.ty - (point.y - exit.place.y) * exit.tx;
-}
-
-/// The direction at the begin of a curve, by least squares with a parabola a way + b way^2.
-class BeginDirection {
+/// The direction and curvature at the begin of a curve, by least squares with a parabola
+/// a way + b way^2.
+class BeginFit {
  public:
   void add(double way, double x, double y) {
     const double square = way * way;
@@ -48,12 +60,17 @@ class BeginDirection {
     y2_ += square * y;
   }
   void give(Exit& exit) const {
-    exit.tx = x1_ * s4_ - x2_ * s3_;
-    exit.ty = y1_ * s4_ - y2_ * s3_;
-    const double norm = std::hypot(exit.tx, exit.ty);
-    const bool known = s2_ * s4_ - s3_ * s3_ > 1e-9 * s2_ * s4_ && norm > 0;
-    exit.tx = known ? exit.tx / norm : exit.dx;
-    exit.ty = known ? exit.ty / norm : exit.dy;
+    const double determinant = s2_ * s4_ - s3_ * s3_;
+    if (!(determinant > 1e-9 * s2_ * s4_)) return;
+    const double ax = (x1_ * s4_ - x2_ * s3_) / determinant;
+    const double ay = (y1_ * s4_ - y2_ * s3_) / determinant;
+    const double bx = (x2_ * s2_ - x1_ * s3_) / determinant;
+    const double by = (y2_ * s2_ - y1_ * s3_) / determinant;
+    const double norm = std::hypot(ax, ay);
+    if (!(norm > 0)) return;
+    exit.dx = ax / norm;
+    exit.dy = ay / norm;
+    exit.curvature = 2 * cross(ax, ay, bx, by) / (norm * norm * norm);
   }
 
  private:
@@ -71,8 +88,11 @@ class Straightener {
   /// Whether the lines are others now.
   bool run() {
     std::vector<Exit> exits;
-    for (std::size_t end = 0; end < ends_.size(); ++end) exits.push_back(exit_of(end));
-    if (through_and_sides(exits)) return true;
+    for (const double flare : {kFlare, 0.0}) {
+      exits.clear();
+      for (std::size_t end = 0; end < ends_.size(); ++end) exits.push_back(exit_of(end, flare));
+      if (through_and_sides(exits)) return true;
+    }
     if (std::count_if(exits.begin(), exits.end(), [](const Exit& e) { return e.directed; }) < 2)
       return false;
     join(crossing(exits), exits, {});
@@ -84,21 +104,29 @@ class Straightener {
   std::vector<std::vector<LinePoint>>& lines() { return lines_; }
 
  private:
-  /// The first point outside of the node's circle, within the near half of the line, and the
-  /// direction of the stretch beyond it, twice as long as the road is wide to each side.
-  Exit exit_of(std::size_t end) const {
+  /// A road is itself again where it is about as narrow as it gets within `flare` radii of the
+  /// node's circle, but at the earliest on the circle's rim. Within the near half of the line.
+  Exit exit_of(std::size_t end, double flare) const {
     const CourseView& points = ends_[end].points;
     const double half = ends_[end].length / 2;
-    double way = 0;
+    double narrow = node_.distance, way = 0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      way += distance_between(points[i - 1], points[i]);
+      if (way >= std::min(half, flare * node_.distance)) break;
+      narrow = std::min(narrow, points[i].distance);
+    }
+    way = 0;
     std::size_t i = 1;
     for (; i + 1 < points.size(); ++i) {
       way += distance_between(points[i - 1], points[i]);
-      if (way >= half || distance_between(points[i], node_) >= node_.distance) break;
+      if (way >= half) break;
+      if (distance_between(points[i], node_) < node_.distance) continue;
+      if (way >= flare * node_.distance || points[i].distance <= kAsNarrow * narrow) break;
     }
-    Exit exit{end, i, points[i], 0, 0, 0, 0, false};
-    const double wanted = 2 * exit.place.distance;
+    Exit exit{end, i, points[i], 0, 0, 0, false};
+    const double wanted = kFit * exit.place.distance;
     double beyond = 0;
-    BeginDirection begin;
+    BeginFit begin;
     for (std::size_t k = i + 1; k < points.size() && beyond < wanted; ++k) {
       beyond += distance_between(points[k - 1], points[k]);
       const double x = points[k].x - exit.place.x, y = points[k].y - exit.place.y;
@@ -109,43 +137,57 @@ class Straightener {
     const double norm = std::hypot(exit.dx, exit.dy);
     exit.directed = beyond >= wanted / 2 && norm > 0;
     if (norm > 0) exit.dx /= norm, exit.dy /= norm;
-    begin.give(exit);
+    if (exit.directed) begin.give(exit);
     return exit;
   }
 
+  /// How badly two roads continue each other: what is left of the turn from one to the other when
+  /// their own curvature has made its part, and how far that turn is from an arc's; radians.
+  static double mismatch(const Exit& a, const Exit& b) {
+    const double x = b.place.x - a.place.x, y = b.place.y - a.place.y;
+    const double into = std::atan2(cross(-a.dx, -a.dy, x, y), -a.dx * x - a.dy * y);
+    const double out = std::atan2(cross(x, y, b.dx, b.dy), x * b.dx + y * b.dy);
+    const double own = (b.curvature - a.curvature) / 2 * std::hypot(x, y);
+    return std::abs(into + out - own) + 0.5 * std::abs(into - out);
+  }
+
   bool through_and_sides(const std::vector<Exit>& exits) {
-    double best = -0.7;  // cosine: at most 45 degrees of bend
+    double best = kMostMismatch;
     std::size_t first = 0, second = 0;
     for (std::size_t i = 0; i < exits.size(); ++i) {
       for (std::size_t k = i + 1; k < exits.size(); ++k) {
         if (!exits[i].directed || !exits[k].directed) continue;
-        const double cosine = exits[i].dx * exits[k].dx + exits[i].dy * exits[k].dy;
-        if (cosine >= best) continue;
-        best = cosine;
+        const double here = mismatch(exits[i], exits[k]);
+        if (here >= best) continue;
+        best = here;
         first = i;
         second = k;
       }
     }
     if (first == second) return false;
-    const std::vector<LinePoint> curve = through_curve(exits[first], exits[second]);
+    const std::vector<LinePoint> circles = circles_around(exits);
+    const std::vector<LinePoint> curve = through_curve(exits[first], exits[second], circles);
     if (curve.empty()) return false;
     std::size_t nearest = curve.size() / 2;
     double least = 1e300;
     for (std::size_t i = curve.size() / 8; i < curve.size() - curve.size() / 8; ++i) {
-      // Side roads often bend soon after the junction, so their direction where they leave it
-      // counts, not that of what follows, and even that is not trusted all the way.
+      // A side road's continuation is not trusted all the way.
       const double back = distance_between(curve[i], node_);
-      double sum = 0.5 * back * back;
+      double sum = kPull * back * back;
       for (std::size_t k = 0; k < exits.size(); ++k) {
         if (k == first || k == second) continue;
-        const double off = exits[k].directed ? distance_to_tangent(curve[i], exits[k])
-                                             : distance_between(curve[i], exits[k].place);
+        const double off = exits[k].directed
+                               ? distance_to_continuation(curve[i], exits[k], kCurvatureShare)
+                               : distance_between(curve[i], exits[k].place);
         sum += off * off;
       }
       if (sum >= least) continue;
       least = sum;
       nearest = i;
     }
+    for (std::size_t k = 0; k < exits.size(); ++k)
+      if (k != first && k != second && !free_between(exits[k].place, curve[nearest], circles))
+        return false;
     std::vector<std::vector<LinePoint>> ways(exits.size());
     for (std::size_t i = nearest; i-- > 1;) ways[first].push_back(curve[i]);
     for (std::size_t i = nearest + 1; i + 1 < curve.size(); ++i) ways[second].push_back(curve[i]);
@@ -153,22 +195,59 @@ class Straightener {
     return true;
   }
 
-  /// A cubic with the exits' places and directions; none if it leaves the circle.
-  std::vector<LinePoint> through_curve(const Exit& a, const Exit& b) const {
+  /// Circles that are known to be free: the node's, and some along the lines up to the exits.
+  std::vector<LinePoint> circles_around(const std::vector<Exit>& exits) const {
+    std::vector<LinePoint> circles{node_};
+    for (const Exit& exit : exits) {
+      const std::size_t step = exit.index / 8 + 1;
+      for (std::size_t i = step; i < exit.index; i += step)
+        circles.push_back(ends_[exit.end].points[i]);
+      circles.push_back(exit.place);
+    }
+    return circles;
+  }
+
+  /// A lower bound of the distance to obstacles.
+  static double known_distance(const LinePoint& place, const std::vector<LinePoint>& circles) {
+    double known = 0;
+    for (const LinePoint& circle : circles)
+      known = std::max(known, circle.distance - distance_between(place, circle));
+    return known;
+  }
+
+  static bool free_between(const LinePoint& a, const LinePoint& b,
+                           const std::vector<LinePoint>& circles) {
+    constexpr int kParts = 16;
+    const double least = kLeastClearance * std::min(a.distance, b.distance);
+    for (int i = 1; i < kParts; ++i) {
+      const double part = static_cast<double>(i) / kParts;
+      const LinePoint place{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y), 0};
+      if (known_distance(place, circles) < least) return false;
+    }
+    return true;
+  }
+
+  /// A cubic with the exits' places and directions, nearly an arc where these allow one; none if it
+  /// leaves the circles.
+  static std::vector<LinePoint> through_curve(const Exit& a, const Exit& b,
+                                              const std::vector<LinePoint>& circles) {
     constexpr int kParts = 32;
-    const double third = distance_between(a.place, b.place) / 3;
+    const double turn =
+        std::abs(std::atan2(cross(-a.dx, -a.dy, b.dx, b.dy), -a.dx * b.dx - a.dy * b.dy));
+    // Handles of a cubic that is nearly a circle's arc; a third of the chord for small turns.
+    const double share = turn < 0.01 ? 1.0 / 3 : 2.0 / 3 * std::tan(turn / 4) / std::sin(turn / 2);
+    const double handle = distance_between(a.place, b.place) * share;
     std::vector<LinePoint> curve;
     for (int i = 0; i <= kParts; ++i) {
       const double t = static_cast<double>(i) / kParts, s = 1 - t;
       const double wa = s * s * s + 3 * s * s * t, wb = t * t * t + 3 * s * t * t;
-      LinePoint point{
-          wa * a.place.x + wb * b.place.x - 3 * third * (s * s * t * a.dx + s * t * t * b.dx),
-          wa * a.place.y + wb * b.place.y - 3 * third * (s * s * t * a.dy + s * t * t * b.dy), 0};
-      const double off = distance_between(point, node_);
+      LinePoint place{
+          wa * a.place.x + wb * b.place.x - 3 * handle * (s * s * t * a.dx + s * t * t * b.dx),
+          wa * a.place.y + wb * b.place.y - 3 * handle * (s * s * t * a.dy + s * t * t * b.dy), 0};
+      place.distance = known_distance(place, circles);
       const double chord = s * a.place.distance + t * b.place.distance;
-      point.distance = std::max(node_.distance - off, 0.0);
-      if (i > kParts / 8 && i < kParts - kParts / 8 && point.distance < 0.05 * chord) return {};
-      curve.push_back(point);
+      if (place.distance < kLeastClearance * chord) return {};
+      curve.push_back(place);
     }
     return curve;
   }
@@ -179,7 +258,8 @@ class Straightener {
     double a = kPull, b = 0, c = kPull, u = 0, v = 0;
     for (const Exit& exit : exits) {
       if (!exit.directed) continue;
-      const double nx = exit.dy, ny = -exit.dx, off = -distance_to_ray(node_, exit);
+      const double nx = exit.dy, ny = -exit.dx,
+                   off = cross(node_.x - exit.place.x, node_.y - exit.place.y, -exit.dx, -exit.dy);
       a += nx * nx;
       b += nx * ny;
       c += ny * ny;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "plugins/topology/assemble_roads.hpp"
+#include "plugins/topology/distance_field.hpp"
 #include "plugins/topology/simplify_line.hpp"
 
 namespace stope::topology {
@@ -15,6 +17,8 @@ namespace {
 
 constexpr double kNoElevation = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSmoothingReach = 3.0;  // cells
+// How far the clearance drawn straight between two vertices may be off, or the line's tolerance.
+constexpr double kClearanceShare = 0.1;
 
 /// The clearance that half of the line's length has at most, in cells: junctions, where more room
 /// is, and pinches do not sway it.
@@ -44,35 +48,21 @@ double median_clearance(const std::vector<LinePoint>& points) {
   return begin == parts.end() ? 0 : std::max(0.0, begin->first - 0.5);
 }
 
-/// The distance from any point to the nearest obstacle cell's centre, as the cells around see it.
-class DistanceField {
- public:
-  DistanceField(const Outlines& outlines, const EdgeGrid& edges, const FreeSpace& space)
-      : outlines_(outlines), edges_(edges), space_(space) {}
-  double at(const LinePoint& point) const {
-    const auto column = static_cast<std::int32_t>(std::floor(point.x));
-    const auto row = static_cast<std::int32_t>(std::floor(point.y));
-    double least = point.distance;
-    bool seen = false;
-    for (std::int32_t y = std::max(row - 1, 0); y <= std::min(row + 1, space_.height() - 1); ++y) {
-      for (std::int32_t x = std::max(column - 1, 0); x <= std::min(column + 1, space_.width() - 1);
-           ++x) {
-        const CellIndex cell = space_.index(x, y);
-        if (space_[cell] & kObstacle) continue;
-        const auto place = outlines_.place[static_cast<std::size_t>(edges_[cell])];
-        const double there = distance_between(point, {place.column + 0.5, place.row + 0.5, 0});
-        least = seen ? std::min(least, there) : there;
-        seen = true;
-      }
+/// With steps no longer than from cell to cell, also where a line was drawn straight.
+std::vector<LinePoint> with_short_steps(const std::vector<LinePoint>& points) {
+  std::vector<LinePoint> result{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const LinePoint &a = points[i - 1], &b = points[i];
+    const double parts = std::ceil(distance_between(a, b) / std::numbers::sqrt2 - 1e-9);
+    for (double k = 1; k < parts; ++k) {
+      const double part = k / parts;
+      result.push_back({a.x + part * (b.x - a.x), a.y + part * (b.y - a.y),
+                        a.distance + part * (b.distance - a.distance)});
     }
-    return least;
+    result.push_back(b);
   }
-
- private:
-  const Outlines& outlines_;
-  const EdgeGrid& edges_;
-  const FreeSpace& space_;
-};
+  return result;
+}
 
 RoadVertex to_vertex(const LinePoint& point, const GridFrame& frame) {
   const Vector2 place = frame.to_map(point.x, point.y);
@@ -95,12 +85,15 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
   std::vector<std::unique_ptr<FinishedRoad>> made;
   const auto finish = [&](const Line& line) {
     const std::vector<LinePoint> points = network.points(line).copy();
-    std::vector<LinePoint> smooth = smooth_line(points, kSmoothingReach, style.smoothing);
-    for (LinePoint& point : smooth) point.distance = field.at(point);
-    std::vector<RoadVertex> vertices;
-    for (const LinePoint& point : simplify_line(smooth, style.tolerance / frame.resolution))
-      vertices.push_back(to_vertex(point, frame));
+    std::vector<LinePoint> smooth =
+        smooth_line(with_short_steps(points), kSmoothingReach, style.smoothing);
+    for (LinePoint& point : smooth) point.distance = field.at(point, 1);
     const double width = 2 * median_clearance(smooth) * frame.resolution;
+    std::vector<LinePoint> simple =
+        simplify_line(smooth, style.tolerance / frame.resolution, kClearanceShare);
+    field.measure(simple, memo ? &smooth : nullptr);
+    std::vector<RoadVertex> vertices;
+    for (const LinePoint& point : simple) vertices.push_back(to_vertex(point, frame));
     FinishedRoad road = settle_road(std::move(vertices), width, line.from == line.to);
     if (memo) return &memo->add(network.courses->name(line.course), std::move(road), smooth);
     made.push_back(std::make_unique<FinishedRoad>(std::move(road)));

@@ -24,6 +24,7 @@ class Voronoi final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGrid
         .ports("grid", "elevation", "roads");
     describe_extraction(about);
     describe_branches(about);
+    describe_lines(about);
   }
 
   RoadGraph apply(const OccupancyGrid& grid, const Optional<ElevationGrid>& elevation,

@@ -29,6 +29,7 @@ class Watershed final : public Map<RoadGraph(OccupancyGrid, Optional<ElevationGr
         .ports("grid", "elevation", "roads");
     describe_extraction(about);
     describe_branches(about);
+    describe_lines(about);
     about
         .param(
             "sites", &Params::sites, one_of({"obstacles", "outline_parts"}),

@@ -1,6 +1,6 @@
 // Road graphs of ten synthetic pits measured against the pits' truth, by every measure of the
 // metric family: of the true grid, and of the grid mapped from scans. Arguments: [seeds] [size in
-// metres].
+// metres] [true or mapped: only these] [first seed].
 #include <fmt/format.h>
 #include <time.h>
 
@@ -36,12 +36,14 @@ struct ExtractorCase {
   std::string name;
   const StageEntry* (*stage)();  // none: the true graph, for what no centre line can reach
   std::string sites = {};        // of watershed
+  bool medial = false;
 };
 
 const std::vector<ExtractorCase> kExtractors{
     {"the truth itself", nullptr},
     {"voronoi", stope_stage_Voronoi},
     {"skeleton", stope_stage_Skeleton},
+    {"skeleton, medial_lines", stope_stage_Skeleton, {}, true},
     {"watershed", stope_stage_Watershed},
     {"watershed, sites: outline_parts", stope_stage_Watershed, "outline_parts"}};
 
@@ -49,6 +51,7 @@ RoadGraph extract(const ExtractorCase& extractor, const SyntheticRoads& pit) {
   if (extractor.stage == nullptr) return pit.roads;
   StageHarness stage(extractor.stage());
   if (!extractor.sites.empty()) stage.set("sites", extractor.sites);
+  if (extractor.medial) stage.set("medial_lines", true);
   return stage.input("grid", pit.grid).apply<RoadGraph>();
 }
 
@@ -79,6 +82,7 @@ std::vector<std::pair<std::string, double>> measure(const RoadGraph& roads,
   for (const auto stage : kAgainstGrid) {
     StageHarness harness(stage());
     if (stage == stope_stage_Homotopy) harness.set("min_piece_area", kMinPieceArea);
+    if (stage == stope_stage_Detour) harness.input("truth", pit.roads);
     add(harness.input("grid", pit.grid));
   }
   const auto add_detour = [&](const std::string& name, const char* parameter, double value) {
@@ -162,10 +166,11 @@ int main(int count, char** arguments) {
   const std::uint64_t seeds = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 10;
   const double size = count > 2 ? std::strtod(arguments[2], nullptr) : 500;
   const std::string only = count > 3 ? arguments[3] : "";
+  const std::uint64_t first = count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 1;
   for (const bool mapped : {false, true}) {
     if (only == (mapped ? "true" : "mapped")) continue;
     std::map<std::string, std::vector<std::vector<std::pair<std::string, double>>>> runs;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
       const SyntheticRoads pit = mapped ? mapped_roads(seed) : synthetic_roads(size, seed);
       for (const ExtractorCase& extractor : kExtractors) {
         runs[extractor.name].push_back(measure(extract(extractor, pit), pit));

@@ -1,12 +1,15 @@
 // Road graphs of large grids on one core, beside OpenCV on the same grids in the same run.
 //
 //   taskset -c 0 build/bin/topology_benchmark [--whole] [--no-peers] [--repeats N]
+//   build/bin/topology_benchmark --mine
 //
 // Grids: the 4096 x 4096 window of the real mine at 0.1 m that has the most free cells among those
 // at multiples of 512 cells, and a synthetic one of 4096 x 4096 cells, 60 % of them free: smooth
 // noise (random values every 256 cells plus half as much every 64, bilinear) above its 40 % point.
-// --whole: also the whole mine, 21083 x 12955 cells. Prints medians of the thread's own CPU time,
-// which on an idle core is the time that passes; everything here runs on one thread.
+// --whole: also the whole mine, 21083 x 12955 cells. --mine: no times, but whether the whole mine's
+// roads have a cycle for each hole and lie where its trucks drove (mine_checks.hpp). Prints medians
+// of the thread's own CPU time, which on an idle core is the time that passes; everything here runs
+// on one thread.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -21,6 +24,7 @@
 #include "plugins/topology/dividing_lines.hpp"
 #include "plugins/topology/extract_roads.hpp"
 #include "tests/benchmarks/topology/benchmark_grids.hpp"
+#include "tests/benchmarks/topology/mine_checks.hpp"
 #include "tests/plugins/topology/graph_checks.hpp"
 
 namespace stope::topology {
@@ -120,12 +124,20 @@ void run(const char* name, const OccupancyGrid& grid, int repeats, bool peers) {
 
 int main(int argc, char** argv) {
   using namespace stope::topology;
-  bool whole = false, peers = true;
+  bool whole = false, peers = true, check = false;
   int repeats = 9;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--whole")) whole = true;
     if (!std::strcmp(argv[i], "--no-peers")) peers = false;
+    if (!std::strcmp(argv[i], "--mine")) check = true;
     if (!std::strcmp(argv[i], "--repeats") && i + 1 < argc) repeats = std::atoi(argv[++i]);
+  }
+  if (check) {
+    const cv::Mat image = read_mine();
+    if (image.empty()) return 0;
+    stope::OccupancyGrid mine = from_image(image, 0.1);
+    mine.frame.origin = {909.468, 246.355, 0};  // of the recorded tracks
+    return check_mine(mine) ? 0 : 1;
   }
   cv::setNumThreads(1);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

@@ -179,6 +179,25 @@ TEST(Detour, GeodesicsThatKeepAwayAreLonger) {
   EXPECT_EQ(value_of(stage.apply<Measures>(), "detour_unreachable"), 1);
 }
 
+TEST(Detour, OfTheTruthAndBesidesItAreToldApart) {
+  // True roads round a corner, and a graph that zigzags along them at 45 degrees.
+  const RoadGraph truth = draw_roads({{{5, 5}, {55, 5}, {55, 55}}});
+  std::vector<Vector2> zigzag;
+  for (int i = 0; i <= 50; ++i) zigzag.emplace_back(5 + i, 5 + i % 2);
+  for (int i = 1; i <= 50; ++i) zigzag.emplace_back(55 - i % 2, 5 + i);
+  stope::testing::StageHarness stage(stope_stage_Detour());
+  stage.input("grid", walled(62, 62)).input("truth", truth).input("roads", draw_roads({zigzag}));
+  const Measures measures = stage.apply<Measures>();
+  EXPECT_NEAR(value_of(measures, "route_to_true_p50"), std::sqrt(2.0), 0.03);
+  EXPECT_LE(value_of(measures, "true_detour_p95"), std::sqrt(2.0) + 0.05);
+  EXPECT_NEAR(value_of(measures, "detour_p95"),
+              std::sqrt(2.0) * value_of(measures, "true_detour_p95"), 0.05);
+  stage.input("roads", truth);
+  const Measures own = stage.apply<Measures>();
+  EXPECT_NEAR(value_of(own, "route_to_true_max"), 1, 1e-9);
+  EXPECT_NEAR(value_of(own, "true_detour_p95"), value_of(own, "detour_p95"), 1e-9);
+}
+
 TEST(Detour, TheSameSeedDrawsTheSamePairs) {
   stope::testing::StageHarness stage(stope_stage_Detour());
   Random random(1);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -73,6 +75,21 @@ inline Betti betti_of(const OccupancyGrid& grid) {
   int obstacles = 0, frees = 0;
   label_pieces(grid, obstacles, frees);
   return {frees, obstacles - 1};
+}
+
+/// Areas of the holes of free space in square metres, by flooding, largest first.
+inline std::vector<double> hole_areas(const OccupancyGrid& grid) {
+  int obstacles = 0, frees = 0;
+  std::vector<std::size_t> cells;
+  for (const int label : label_pieces(grid, obstacles, frees)) {
+    cells.resize(static_cast<std::size_t>(obstacles), 0);
+    if (label >= 0) ++cells[static_cast<std::size_t>(label)];
+  }
+  std::vector<double> areas;
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    areas.push_back(static_cast<double>(cells[i]) * grid.frame.resolution * grid.frame.resolution);
+  std::sort(areas.begin(), areas.end(), std::greater<>());
+  return areas;
 }
 
 inline std::vector<int> degrees_of(const RoadGraph& graph) {

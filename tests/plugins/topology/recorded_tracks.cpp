@@ -18,6 +18,27 @@ void read_numbers(const nlohmann::json& list, std::vector<double>& out) {
   }
 }
 
+/// Whether a place lies within the clearance of some point of an edge.
+bool covered(const RoadGraph& roads, const Vector2& place) {
+  for (const RoadEdge& edge : roads.edges) {
+    const auto line = roads.polyline(edge);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Vector2 a(line[i - 1].x, line[i - 1].y), b(line[i].x, line[i].y);
+      const double farthest = std::max(line[i - 1].clearance, line[i].clearance);
+      const double length = (b - a).norm();
+      if ((place - a).norm() > farthest + length) continue;
+      const int parts = static_cast<int>(length / 0.5) + 1;
+      for (int k = 0; k <= parts; ++k) {
+        const double share = static_cast<double>(k) / parts;
+        const double clearance =
+            line[i - 1].clearance + share * (line[i].clearance - line[i - 1].clearance);
+        if ((a + share * (b - a) - place).norm() <= clearance) return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<RecordedTrack> read_tracks(const std::filesystem::path& folder) {
@@ -39,6 +60,18 @@ std::vector<RecordedTrack> read_tracks(const std::filesystem::path& folder) {
     }
   }
   return tracks;
+}
+
+TrackCover cover_of(const std::vector<RecordedTrack>& tracks, const RoadGraph& roads) {
+  TrackCover cover;
+  for (const RecordedTrack& track : tracks) {
+    for (std::size_t i = 1; i < track.size(); ++i) {
+      const double step = (track[i] - track[i - 1]).norm();
+      cover.length += step;
+      if (covered(roads, 0.5 * (track[i] + track[i - 1]))) cover.within += step;
+    }
+  }
+  return cover;
 }
 
 }  // namespace stope::topology

@@ -41,7 +41,7 @@ std::vector<Case> cases() {
   add("voronoi", Kind::kVoronoi, 0, 0);
   add("voronoi_of_large_obstacles", Kind::kVoronoi, 2, 30);
   add("voronoi_of_huge_obstacles", Kind::kVoronoi, 1, 400);
-  add("skeleton_by_residual", Kind::kSkeleton, 1, 10);
+  add("skeleton_by_residual", Kind::kSkeleton, 1, 10).method.params.medial_lines = true;
   add("skeleton_by_lambda", Kind::kSkeleton, 1, 10).method.skeleton = {
       SkeletonParams::Pruning::kLambda, 1.0, 6.0};
   return all;
