@@ -9,9 +9,9 @@ namespace {
 
 // Beyond a junction's circle roads are widened by its corners, mostly to this many radii.
 constexpr double kFlare = 2.2;
-constexpr double kAsNarrow = 1.06;  // of the narrowest place there
-constexpr double kFit = 2;          // clearances of road that tell how it goes on
-constexpr double kMostMismatch = 1.0;
+constexpr double kAsNarrow = 1.06;       // of the narrowest place there
+constexpr double kFit = 2;               // clearances of road that tell how it goes on
+constexpr double kMostMismatch = 0.4;    // radians; worse pairs are two roads that meet
 constexpr double kCurvatureShare = 0.5;  // of a side road, whose continuation is not seen
 constexpr double kPull = 0.25;           // of the old place against side roads' continuations
 constexpr double kLeastClearance = 0.2;  // of what a new line has at its ends
