@@ -59,7 +59,7 @@ class KeyMaker {
       add("payload of output " + port.name, fmt::format("{} {:016x}", port.type, port.layout));
     // Randomness comes from the run's seed and the stage's name.
     add("seed", fmt::format("{}", facts_.seed));
-    add("name", stage.name);
+    add("name", stage.seed_name());
     key.only_this_run = key.only_this_run || !stage.info.deterministic || stage.info.live;
     if (key.only_this_run) add("run", facts_.run);
     Digester digester;

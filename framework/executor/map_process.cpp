@@ -20,11 +20,11 @@ std::size_t places_for(const StageInfo& info, int threads) {
 
 }  // namespace
 
-MapProcess::MapProcess(std::string name, const RunServices& services,
+MapProcess::MapProcess(const PlannedStage& stage, const RunServices& services,
                        std::unique_ptr<StageInstance> instance)
-    : Process(std::move(name), services),
+    : Process(stage.name, services),
       pool_(services.pool),
-      context_(*this, services),
+      context_(*this, stage.seed_name(), services),
       instance_(std::move(instance)),
       most_bytes_(services.store.bytes_of_a_window()) {}
 

@@ -7,6 +7,7 @@
 #include "framework/executor/map_window.hpp"
 #include "framework/executor/process.hpp"
 #include "framework/executor/stage_context.hpp"
+#include "framework/pipeline/plan.hpp"
 
 namespace stope {
 
@@ -15,7 +16,7 @@ namespace stope {
 /// — also while it waits for input.
 class MapProcess final : public Process {
  public:
-  MapProcess(std::string name, const RunServices& services,
+  MapProcess(const PlannedStage& stage, const RunServices& services,
              std::unique_ptr<StageInstance> instance);
 
  private:

@@ -51,9 +51,9 @@ void Network::add_stage(const PlannedStage& stage, const Catalogue& catalogue,
   }
   std::unique_ptr<Process> process;
   if (stage.info.map) {
-    process = std::make_unique<MapProcess>(stage.name, services, std::move(made));
+    process = std::make_unique<MapProcess>(stage, services, std::move(made));
   } else {
-    process = std::make_unique<StageProcess>(stage.name, services, std::move(made));
+    process = std::make_unique<StageProcess>(stage, services, std::move(made));
   }
   for (std::size_t port = 0; port < stage.info.inputs.size(); ++port)
     process->inputs().push_back(std::make_unique<InputEnd>(*process));

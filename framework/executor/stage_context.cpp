@@ -8,12 +8,13 @@
 
 namespace stope {
 
-StageContext::StageContext(Process& process, const RunServices& services)
+StageContext::StageContext(Process& process, const std::string& seed_name,
+                           const RunServices& services)
     : process_(process),
       log_(services.log),
       scratch_(services.scratch),
       pool_(services.pool),
-      seed_(mix_seed(services.seed, digest_of(process.name()).low)) {}
+      seed_(mix_seed(services.seed, digest_of(seed_name).low)) {}
 
 void StageContext::log(LogLevel level, std::string_view sentence) {
   log_at(level, sentence, process_.item_text());

@@ -13,7 +13,8 @@ class Process;
 /// What a stage's run() is offered.
 class StageContext final : public Context {
  public:
-  StageContext(Process& process, const RunServices& services);
+  /// Its seed is a function of the run's and of `seed_name`.
+  StageContext(Process& process, const std::string& seed_name, const RunServices& services);
 
   void log(LogLevel level, std::string_view sentence) override;
   void progress(double fraction) override;

@@ -4,10 +4,10 @@
 
 namespace stope {
 
-StageProcess::StageProcess(std::string name, const RunServices& services,
+StageProcess::StageProcess(const PlannedStage& stage, const RunServices& services,
                            std::unique_ptr<StageInstance> instance)
-    : Process(std::move(name), services),
-      context_(*this, services),
+    : Process(stage.name, services),
+      context_(*this, stage.seed_name(), services),
       instance_(std::move(instance)) {}
 
 Outcome StageProcess::work() {

@@ -1,17 +1,17 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "framework/executor/process.hpp"
 #include "framework/executor/stage_context.hpp"
+#include "framework/pipeline/plan.hpp"
 
 namespace stope {
 
 /// A stage with a loop of its own, as a process.
 class StageProcess final : public Process {
  public:
-  StageProcess(std::string name, const RunServices& services,
+  StageProcess(const PlannedStage& stage, const RunServices& services,
                std::unique_ptr<StageInstance> instance);
 
  private:

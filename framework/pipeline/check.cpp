@@ -84,7 +84,7 @@ Plan made_plan(std::vector<StageDraft>& drafts, const std::vector<std::size_t>& 
 }
 
 std::optional<Plan> check_source_text(const SourceText& source,
-                                      const std::vector<std::string>& overrides,
+                                      const std::vector<Override>& overrides,
                                       const Catalogue& catalogue, Diagnostics& diagnostics) {
   std::optional<PipelineTree> tree = load_pipeline(source, diagnostics);
   if (!tree) return std::nullopt;
@@ -132,6 +132,14 @@ std::optional<Plan> check_pipeline(const std::filesystem::path& file,
                                    const Catalogue& catalogue, Diagnostics& diagnostics) {
   const std::optional<SourceText> source = read_source(file, {file.string(), 0, 0}, diagnostics);
   if (!source) return std::nullopt;
+  return check_source_text(*source, read_overrides(overrides, diagnostics), catalogue, diagnostics);
+}
+
+std::optional<Plan> check_pipeline(const std::filesystem::path& file, const Place& asked,
+                                   const std::vector<Override>& overrides,
+                                   const Catalogue& catalogue, Diagnostics& diagnostics) {
+  const std::optional<SourceText> source = read_source(file, asked, diagnostics);
+  if (!source) return std::nullopt;
   return check_source_text(*source, overrides, catalogue, diagnostics);
 }
 
@@ -142,7 +150,7 @@ std::optional<Plan> check_pipeline_text(std::string_view text, const std::filesy
   const auto folder = std::filesystem::absolute(file, problem).lexically_normal().parent_path();
   const SourceText source(std::string(text), file.string(), folder.string());
   if (!check_source(source, diagnostics)) return std::nullopt;
-  return check_source_text(source, overrides, catalogue, diagnostics);
+  return check_source_text(source, read_overrides(overrides, diagnostics), catalogue, diagnostics);
 }
 
 }  // namespace stope

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/pipeline/overrides.hpp"
 #include "framework/pipeline/plan.hpp"
 #include "framework/plugins/catalogue.hpp"
 
@@ -17,6 +18,11 @@ namespace stope {
 /// `stage.parameter=value`, `stage.use=family/name`, `vars.name=value`.
 std::optional<Plan> check_pipeline(const std::filesystem::path& file,
                                    const std::vector<std::string>& overrides,
+                                   const Catalogue& catalogue, Diagnostics& diagnostics);
+
+/// The same with overrides that were written elsewhere. `asked` is where the file is named.
+std::optional<Plan> check_pipeline(const std::filesystem::path& file, const Place& asked,
+                                   const std::vector<Override>& overrides,
                                    const Catalogue& catalogue, Diagnostics& diagnostics);
 
 /// The same for a text in memory. `file` is what diagnostics call it; paths in it are relative to

@@ -52,71 +52,70 @@ std::vector<std::string> split_key(std::string_view key) {
   }
 }
 
-class Override {
- public:
-  Override(LocatedNode& root, const std::string& text, std::size_t number, Diagnostics& diagnostics)
-      : root_(root), text_(text), diagnostics_(diagnostics) {
-    place_ = {"--set", static_cast<int>(number), 0};
+constexpr const char* kHowToSet =
+    "Write --set stage.parameter=value, --set stage.use=family/name or --set vars.name=value.";
+
+// The value of the `--set` at `place`.
+std::optional<LocatedNode> parse(const std::string& text, const std::string& value,
+                                 const Place& place, Diagnostics& diagnostics) {
+  std::error_code problem;
+  const SourceText source(value, place, std::filesystem::current_path(problem).string());
+  if (value.find_first_not_of(" \t") == std::string::npos) {
+    LocatedNode nothing;
+    nothing.place = place;
+    return nothing;
   }
+  Diagnostics found;
+  std::optional<LocatedNode> node;
+  if (check_source(source, found)) node = read_yaml(source, found);
+  // `null` is a value here.
+  if (!node && found.sorted().size() == 1 && found.sorted()[0].code == code::kEmptyFile)
+    return parse(text, "", place, diagnostics);
+  if (!found.has_errors()) return node;
+  for (const Diagnostic& problem_found : found.sorted())
+    diagnostics.error(
+        code::kMalformedOverride, place,
+        fmt::format("The value in '{}' cannot be read: {}", shown(text), problem_found.sentence),
+        problem_found.hint);
+  return std::nullopt;
+}
+
+class Application {
+ public:
+  Application(LocatedNode& root, const Override& change, Diagnostics& diagnostics)
+      : root_(root), change_(change), place_(change.place), diagnostics_(diagnostics) {}
 
   void apply() {
-    const auto equals = text_.find('=');
-    if (equals == std::string::npos)
-      return malformed(fmt::format("'{}' has no '='.", shown(text_)));
-    const std::vector<std::string> parts = split_key(std::string_view(text_).substr(0, equals));
+    const std::vector<std::string> parts = split_key(change_.key);
     const bool by_member = parts.size() == 3 && parts[1].find('/') != std::string::npos;
     if ((parts.size() != 2 && !by_member) ||
         std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); }))
-      return malformed(fmt::format("'{}' does not name a variable or a parameter.",
-                                   shown(text_.substr(0, equals))));
-    std::optional<LocatedNode> value = parse(text_.substr(equals + 1));
-    if (!value) return;
-    if (parts[0] == "vars") return set_variable(parts[1], std::move(*value));
+      return malformed();
+    if (parts[0] == "vars") return set_variable(parts[1], change_.value);
     LocatedEntry* stages = root_.find("stages");
     LocatedEntry* stage = stages ? stages->value.find(parts[0]) : nullptr;
     if (!stage) return unknown_stage(parts[0], stages);
     if (!stage->value.is_map()) return;  // reported where the file says so
     if (parts[1] == "use" || parts[1] == "in")
-      return put(stage->value, parts[1], place_, std::move(*value));
+      return put(stage->value, parts[1], place_, change_.value);
     LocatedNode& parameters = child_map(stage->value, "params", place_);
     if (!parameters.is_map()) return;
     if (by_member)
-      return put(child_map(parameters, parts[1], place_), parts[2], place_, std::move(*value));
+      return put(child_map(parameters, parts[1], place_), parts[2], place_, change_.value);
     // What is set here wins over what the file keeps for single members.
     for (LocatedEntry& entry : parameters.entries)
       if (entry.key.find('/') != std::string::npos)
         std::erase_if(entry.value.entries, [&](const auto& e) { return e.key == parts[1]; });
-    put(parameters, parts[1], place_, std::move(*value));
+    put(parameters, parts[1], place_, change_.value);
   }
 
  private:
-  void malformed(std::string sentence) {
-    diagnostics_.error(code::kMalformedOverride, place_, std::move(sentence),
-                       "Write --set stage.parameter=value, --set stage.use=family/name or "
-                       "--set vars.name=value.");
-  }
-
-  std::optional<LocatedNode> parse(const std::string& text) {
-    std::error_code problem;
-    const SourceText source(text, place_, std::filesystem::current_path(problem).string());
-    if (text.find_first_not_of(" \t") == std::string::npos) {
-      LocatedNode nothing;
-      nothing.place = place_;
-      return nothing;
-    }
-    Diagnostics found;
-    std::optional<LocatedNode> value;
-    if (check_source(source, found)) value = read_yaml(source, found);
-    // `null` is a value here.
-    if (!value && found.sorted().size() == 1 && found.sorted()[0].code == code::kEmptyFile)
-      return parse("");
-    if (!found.has_errors()) return value;
-    for (const Diagnostic& problem_found : found.sorted())
-      diagnostics_.error(
-          code::kMalformedOverride, place_,
-          fmt::format("The value in '{}' cannot be read: {}", shown(text_), problem_found.sentence),
-          problem_found.hint);
-    return std::nullopt;
+  void malformed() {
+    diagnostics_.error(
+        code::kMalformedOverride, place_,
+        fmt::format("'{}' does not name a variable or a parameter.", shown(change_.key)),
+        place_.file == "--set" ? kHowToSet
+                               : "Write stage.parameter, stage.use, stage.in or vars.name.");
   }
 
   void set_variable(const std::string& name, LocatedNode value) {
@@ -150,17 +149,33 @@ class Override {
   }
 
   LocatedNode& root_;
-  const std::string& text_;
+  const Override& change_;
+  const Place& place_;
   Diagnostics& diagnostics_;
-  Place place_;
 };
 
 }  // namespace
 
-void apply_overrides(LocatedNode& root, const std::vector<std::string>& overrides,
+void apply_overrides(LocatedNode& root, const std::vector<Override>& overrides,
                      Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < overrides.size(); ++i)
-    Override(root, overrides[i], i + 1, diagnostics).apply();
+  for (const Override& change : overrides) Application(root, change, diagnostics).apply();
+}
+
+std::vector<Override> read_overrides(const std::vector<std::string>& texts,
+                                     Diagnostics& diagnostics) {
+  std::vector<Override> overrides;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const Place place{"--set", static_cast<int>(i) + 1, 0};
+    const auto equals = texts[i].find('=');
+    if (equals == std::string::npos) {
+      diagnostics.error(code::kMalformedOverride, place,
+                        fmt::format("'{}' has no '='.", shown(texts[i])), kHowToSet);
+      continue;
+    }
+    if (auto value = parse(texts[i], texts[i].substr(equals + 1), place, diagnostics))
+      overrides.push_back({texts[i].substr(0, equals), place, *std::move(value)});
+  }
+  return overrides;
 }
 
 }  // namespace stope

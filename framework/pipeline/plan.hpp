@@ -21,6 +21,9 @@ struct PlannedSource {
 /// A stage of a checked pipeline: everything resolved, nothing left to look up.
 struct PlannedStage {
   std::string name;  ///< unique in the plan
+  /// The name that its randomness comes from; empty: its own. A plan made of several gives one stage
+  /// of each a name of its own and leaves what it computes as it was.
+  std::string seeded_as;
   StageInfo info;
   Place place;                             ///< where the pipeline declares it
   std::vector<ParameterValue> parameters;  ///< as info.parameters; defaults filled in
@@ -28,6 +31,8 @@ struct PlannedStage {
       inputs;                 ///< as info.inputs; none where nothing is wired
   std::vector<bool> streams;  ///< as info.outputs: whether it carries a stream in this plan
   bool is_export = false;     ///< made by an entry under `outputs:`
+
+  const std::string& seed_name() const { return seeded_as.empty() ? name : seeded_as; }
 };
 
 /// An entry under `outputs:`.
