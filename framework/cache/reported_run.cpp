@@ -22,17 +22,10 @@ StageReuse::From from_of(Fate fate) {
   return StageReuse::From::kRun;
 }
 
-std::vector<StageReuse> stage_reuse(const CachedRun& run) {
+std::vector<StageReuse> reuse_of_all(const CachedRun& run) {
   std::vector<StageReuse> list;
-  for (std::size_t i = 0; i < run.keys().size(); ++i) {
-    const StageKey& key = run.keys()[i];
-    StageReuse reuse;
-    reuse.from = from_of(run.reuse().fates.at(i));
-    reuse.key = key.digest.text();
-    for (const KeyPart& part : key.parts) reuse.parts.emplace_back(part.name, part.value);
-    reuse.only_this_run = key.only_this_run;
-    list.push_back(std::move(reuse));
-  }
+  for (std::size_t i = 0; i < run.keys().size(); ++i)
+    list.push_back(stage_reuse(run.keys()[i], run.reuse().fates.at(i)));
   return list;
 }
 
@@ -94,6 +87,15 @@ class Memory {
 
 }  // namespace
 
+StageReuse stage_reuse(const StageKey& key, Fate fate) {
+  StageReuse reuse;
+  reuse.from = from_of(fate);
+  reuse.key = key.digest.text();
+  for (const KeyPart& part : key.parts) reuse.parts.emplace_back(part.name, part.value);
+  reuse.only_this_run = key.only_this_run;
+  return reuse;
+}
+
 RunRecord run_and_report(CachedRun& run, const Plan& plan, RunReport& report,
                          const RunOptions& options,
                          const std::function<void(const RunProgress&)>& progress) {
@@ -101,7 +103,7 @@ RunRecord run_and_report(CachedRun& run, const Plan& plan, RunReport& report,
   RunRecord record = run.run(
       report.needed(), [&](const Reuse& reuse) { return memory.sinks(reuse); }, options, progress);
   if (record.end == RunRecord::End::kDone) memory.note(run.reuse());
-  report.set_reuse(stage_reuse(run));
+  report.set_reuse(reuse_of_all(run));
   return record;
 }
 

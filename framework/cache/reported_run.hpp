@@ -14,4 +14,7 @@ RunRecord run_and_report(CachedRun& run, const Plan& plan, RunReport& report,
                          const RunOptions& options,
                          const std::function<void(const RunProgress&)>& progress = {});
 
+/// What became of a stage with this key, as run.json tells it.
+StageReuse stage_reuse(const StageKey& key, Fate fate);
+
 }  // namespace stope

@@ -1,8 +1,6 @@
 #include "framework/report/run_directory.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -64,33 +62,20 @@ void remove_pending(const fs::path& folder, bool deep) {
 
 RunDirectory::RunDirectory(const fs::path& folder) : folder_(fs::absolute(folder)) {
   create_folder(folder_);
-  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0) throw Error(io_sentence("open the folder", folder_, errno));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(lock_);
-    throw Error(fmt::format(
-        "another run is writing into {}. Wait for it, or choose another folder with --out.",
-        folder_.string()));
-  }
-  try {
-    refuse_folders_named_like_files(folder_);
-    refuse_link(outputs());
-    create_folder(outputs());
-    if (::access(folder_.c_str(), W_OK) != 0 || ::access(outputs().c_str(), W_OK) != 0)
-      throw Error(io_sentence("write into", folder_, errno));
-    remove_pending(folder_, false);
-    remove_pending(outputs(), true);
-    create_folder(scratch());
-  } catch (...) {
-    ::close(lock_);
-    throw;
-  }
+  lock_.emplace(folder_);
+  refuse_folders_named_like_files(folder_);
+  refuse_link(outputs());
+  create_folder(outputs());
+  if (::access(folder_.c_str(), W_OK) != 0 || ::access(outputs().c_str(), W_OK) != 0)
+    throw Error(io_sentence("write into", folder_, errno));
+  remove_pending(folder_, false);
+  remove_pending(outputs(), true);
+  create_folder(scratch());
 }
 
 RunDirectory::~RunDirectory() {
   std::error_code ignored;
   fs::remove_all(scratch(), ignored);
-  ::close(lock_);
 }
 
 void RunDirectory::forget_claims() {

@@ -3,7 +3,10 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+
+#include "framework/report/folder_lock.hpp"
 
 namespace stope::report {
 
@@ -32,7 +35,7 @@ class RunDirectory {
 
  private:
   std::filesystem::path folder_;
-  int lock_ = -1;
+  std::optional<FolderLock> lock_;
   std::mutex mutex_;
   std::map<std::string, std::string> owners_;  ///< by relative path
 };

@@ -106,6 +106,7 @@ struct RunReport::Parts {
   bool begun = false;
   std::vector<std::unique_ptr<ArtefactWriter>> writers;
   std::vector<std::unique_ptr<PayloadTap>> taps;
+  std::vector<WrittenFile> in_place;
 };
 
 RunReport::RunReport(const Plan& plan, const Catalogue& catalogue, RunFacts facts,
@@ -151,6 +152,7 @@ std::vector<Sink> RunReport::sinks(const std::function<bool(const PlannedSource&
   return sinks;
 }
 
+const std::vector<WrittenFile>& RunReport::outputs() const { return parts_->in_place; }
 std::filesystem::path RunReport::scratch() const { return parts_->directory.scratch(); }
 std::filesystem::path RunReport::folder() const { return parts_->directory.folder(); }
 std::filesystem::path RunReport::report_file() const {
@@ -176,6 +178,7 @@ void RunReport::finish(const RunRecord& record) {
                   fmt::format("the run ended: {}. {}", end_name(record.end), record.sentence));
   }
   const ReportData data = parts.data(record);
+  parts.in_place = data.outputs;
   if (!done) parts.writers.clear();
 
   // All content first, then nothing but renames, so that a full disk cannot leave a mixture.

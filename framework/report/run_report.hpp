@@ -9,6 +9,7 @@
 #include "framework/executor/run.hpp"
 #include "framework/report/run_facts.hpp"
 #include "framework/report/tap_result.hpp"
+#include "framework/report/written_output.hpp"
 
 namespace stope {
 
@@ -57,6 +58,9 @@ class RunReport {
   /// Writes everything. Throws Error if the disk is full or the folder has become unwritable; what
   /// an earlier run left is then still there.
   void finish(const RunRecord& record);
+
+  /// What is in place now, in the order of the pipeline's outputs; after finish().
+  const std::vector<report::WrittenFile>& outputs() const;
 
   /// Where to look.
   std::filesystem::path folder() const;
