@@ -43,5 +43,6 @@ int cache_ls_command(const Arguments& arguments);
 int cache_gc_command(const Arguments& arguments);
 int cache_verify_command(const Arguments& arguments);
 int replay_command(const Arguments& arguments);
+int compare_command(const Arguments& arguments);
 
 }  // namespace stope

@@ -24,7 +24,9 @@ nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
   return json;
 }
 
-void print(const std::vector<Diagnostic>& list, bool json) {
+}  // namespace
+
+void print_diagnostics(const std::vector<Diagnostic>& list, bool json) {
   if (!json) {
     for (const Diagnostic& diagnostic : list) fmt::print(stderr, "{}\n", to_text(diagnostic));
     return;
@@ -34,8 +36,6 @@ void print(const std::vector<Diagnostic>& list, bool json) {
   fmt::print("{}\n", nlohmann::ordered_json{{"ok", false}, {"diagnostics", all}}.dump(2));
 }
 
-// A stage that is missing because a plugin could not be used is that plugin's fault, not the
-// pipeline's.
 int why_no_plan(const std::vector<Diagnostic>& list, const PluginCatalogue& catalogue) {
   const bool unusable =
       std::any_of(catalogue.files().begin(), catalogue.files().end(),
@@ -46,8 +46,6 @@ int why_no_plan(const std::vector<Diagnostic>& list, const PluginCatalogue& cata
       });
   return unusable && only_missing_stages ? kPluginUnusable : kWrongArguments;
 }
-
-}  // namespace
 
 std::unique_ptr<PluginCatalogue> load_catalogue(const Arguments& arguments) {
   auto catalogue = std::make_unique<PluginCatalogue>(default_plugin_options(arguments.plugin_path));
@@ -69,7 +67,7 @@ LoadedPipeline load_pipeline(const Arguments& arguments) {
       check_pipeline(arguments.pipeline, arguments.overrides, *loaded.catalogue, diagnostics);
   const std::vector<Diagnostic> list = diagnostics.sorted();
   if (diagnostics.has_errors()) loaded.plan.reset();
-  if (!loaded.plan || !arguments.json) print(list, arguments.json);
+  if (!loaded.plan || !arguments.json) print_diagnostics(list, arguments.json);
   if (!loaded.plan) loaded.exit_code = why_no_plan(list, *loaded.catalogue);
   for (const Diagnostic& diagnostic : list) {
     if (diagnostic.severity == Severity::kWarning) loaded.warnings.push_back(diagnostic);

@@ -23,6 +23,13 @@ struct LoadedPipeline {
 /// as text on the error stream or, with --json, as JSON on the output stream when there are errors.
 LoadedPipeline load_pipeline(const Arguments& arguments);
 
+/// Prints what a check has to say, as text on the error stream or as JSON on the output stream.
+void print_diagnostics(const std::vector<Diagnostic>& list, bool json);
+
+/// The exit code for these errors. A stage that is missing because a plugin could not be used is
+/// that plugin's fault, not the pipeline's.
+int why_no_plan(const std::vector<Diagnostic>& list, const PluginCatalogue& catalogue);
+
 /// Where plugins are looked for: --plugin-path, STOPE_PLUGIN_PATH, the user's folder, the folder
 /// beside the command.
 std::unique_ptr<PluginCatalogue> load_catalogue(const Arguments& arguments);

@@ -90,6 +90,17 @@ void add_run(CLI::App& command, stope::Arguments& arguments) {
   command.add_flag("--quiet,-q", arguments.quiet, "Print warnings and errors only");
 }
 
+void add_compare(CLI::App& command, stope::Arguments& arguments) {
+  command.add_option("experiment", arguments.pipeline, "The experiment file")->required();
+  add_plugins(command, arguments);
+  command.add_option("--out", arguments.out,
+                     "The comparison's folder (default: out/<name of the experiment file>)");
+  add_threads_and_memory(command, arguments);
+  add_store(command, arguments);
+  add_store_limit(command, arguments);
+  command.add_flag("--quiet,-q", arguments.quiet, "Print warnings and errors only");
+}
+
 int dispatch(int argc, char** argv) {
   stope::Arguments arguments;
   arguments.command_line.assign(argv, argv + argc);
@@ -107,6 +118,10 @@ int dispatch(int argc, char** argv) {
   };
 
   add_run(*subcommand("run", "Run a pipeline", stope::run_command), arguments);
+
+  add_compare(*subcommand("compare", "Compare variants of a pipeline, as an experiment file says",
+                          stope::compare_command),
+              arguments);
 
   CLI::App* replay = subcommand("replay", "Run a recorded run again and compare every artefact",
                                 stope::replay_command);

@@ -29,6 +29,19 @@ void for_cells_of_both(const Comparison& comparison, std::size_t recording, std:
 
 }  // namespace
 
+std::vector<ComparedCell> empty_cells(const Comparison& comparison) {
+  std::vector<ComparedCell> cells;
+  for (std::size_t recording = 0; recording < comparison.recordings.size(); ++recording)
+    for (std::size_t seed = 0; seed < comparison.seeds.size(); ++seed)
+      for (std::size_t arm = 0; arm < comparison.arms.size(); ++arm) {
+        ComparedCell& cell = cells.emplace_back();
+        cell.arm = arm;
+        cell.recording = recording;
+        cell.seed = seed;
+      }
+  return cells;
+}
+
 bool outputs_identical(const Comparison& comparison, std::size_t arm, std::size_t other) {
   bool any = false, same = true;
   for (std::size_t recording = 0; recording < comparison.recordings.size(); ++recording)

@@ -148,6 +148,9 @@ struct Comparison {
   }
 };
 
+/// A table of pending cells for the arms, recordings and seeds of a comparison.
+std::vector<ComparedCell> empty_cells(const Comparison& comparison);
+
 /// Whether two arms left the same bytes and the same measures in every cell that both have done, of
 /// which there must be one.
 bool outputs_identical(const Comparison& comparison, std::size_t arm, std::size_t other);

@@ -17,15 +17,7 @@ Comparison table(const std::vector<std::string>& recordings,
   for (const std::string& name : recordings) made.recordings.push_back({name, {}});
   made.seeds = seeds;
   made.metrics = {{"apls", "score", "apls", Direction::kHigher, 0.01, ""}};
-  for (std::size_t recording = 0; recording < recordings.size(); ++recording)
-    for (std::size_t seed = 0; seed < seeds.size(); ++seed)
-      for (std::size_t arm = 0; arm < 2; ++arm) {
-        ComparedCell cell;
-        cell.arm = arm;
-        cell.recording = recording;
-        cell.seed = seed;
-        made.cells.push_back(cell);
-      }
+  made.cells = empty_cells(made);
   return made;
 }
 

@@ -1,0 +1,195 @@
+#include "framework/compare/group_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "framework/compare/arm_keys.hpp"
+#include "framework/compare/arm_record.hpp"
+#include "framework/compare/cell_run.hpp"
+#include "framework/compare/merge_plans.hpp"
+#include "framework/pipeline/variables.hpp"
+#include "stope/error.hpp"
+
+namespace stope {
+namespace {
+
+/// Passes what stages say to the logs of the cells they belong to.
+class Narrator final : public RunObserver {
+ public:
+  Narrator(RunObserver& observer, const MergedPlan& merged,
+           const std::vector<std::unique_ptr<CellRun>>& cells)
+      : observer_(observer), cells_(cells), merged_(merged) {
+    for (std::size_t i = 0; i < merged.plan.stages.size(); ++i)
+      place_of_[merged.plan.stages[i].name] = i;
+  }
+  void log(LogLevel level, const std::string& stage, const std::string& sentence) override {
+    if (level >= LogLevel::kWarning) observer_.log(level, stage, sentence);
+    const auto place = place_of_.find(stage);
+    if (place == place_of_.end()) return;
+    for (const std::size_t arm : merged_.owners[place->second])
+      cells_[arm]->log(level, merged_.plan.stages[place->second].seed_name(), sentence);
+  }
+
+ private:
+  RunObserver& observer_;
+  const std::vector<std::unique_ptr<CellRun>>& cells_;
+  const MergedPlan& merged_;
+  std::map<std::string, std::size_t> place_of_;
+};
+
+/// The cells of one recording and seed that are pending. In it, arms are places in `cells_`.
+class GroupRun {
+ public:
+  GroupRun(const CompareJob& job, std::size_t recording, std::size_t seed, Comparison& comparison)
+      : job_(job), comparison_(comparison), seed_(comparison.seeds[seed]) {
+    if (const auto& own = job.experiment.recordings[recording].seed) seed_ = *own;
+    for (std::size_t arm = 0; arm < comparison.arms.size(); ++arm) {
+      ComparedCell& cell = comparison.cell(arm, recording, seed);
+      if (cell.status != CellStatus::kPending) continue;
+      const PlannedArm& planned = job.plan.of(arm, recording);
+      cells_.push_back(std::make_unique<CellRun>(job.experiment, planned, job.catalogue,
+                                                 facts_of(arm, recording), comparison, cell));
+      names_.push_back(comparison.arms[arm].name);
+    }
+  }
+
+  bool run() {
+    std::vector<std::vector<StageKey>> keys;
+    std::vector<PlanToMerge> plans;
+    for (const auto& cell : cells_)
+      keys.push_back(arm_keys(job_, cell->plan(), seed_, comparison_.id));
+    for (std::size_t arm = 0; arm < cells_.size(); ++arm)
+      plans.push_back({names_[arm], &cells_[arm]->plan(), &keys[arm]});
+    const MergedPlan all = merge_plans(plans);
+    while (failed_.size() < cells_.size()) {
+      const MergedPlan merged = without_arms(all, failed_);
+      Narrator narrator(job_.observer, merged, cells_);
+      CachedRun cached(merged.plan, job_.catalogue, seed_, job_.options.cache, narrator,
+                       job_.options.stop);
+      const RunRecord record = run(merged, cached);
+      note_seconds(merged, cached, record);
+      if (record.end == RunRecord::End::kCancelled) return false;
+      if (!cached.complaint().empty())
+        job_.observer.log(LogLevel::kWarning, "", cached.complaint());
+      if (record.end == RunRecord::End::kDone) {
+        finish(merged, cached, record);
+        return true;
+      }
+      fail_owners(merged, record);
+    }
+    return true;
+  }
+
+ private:
+  RunFacts facts_of(std::size_t arm, std::size_t recording) const {
+    RunFacts facts;
+    facts.version = job_.options.version;
+    facts.command = job_.options.command;
+    facts.overrides = comparison_.recordings[recording].overrides;
+    const auto& own = comparison_.arms[arm].overrides;
+    facts.overrides.insert(facts.overrides.end(), own.begin(), own.end());
+    facts.working_folder = std::filesystem::absolute(job_.experiment.file).parent_path();
+    facts.threads = job_.options.threads;
+    facts.memory = job_.options.memory;
+    facts.seed = seed_;
+    return facts;
+  }
+
+  template <class F>
+  void for_each_left(F&& visit) {
+    for (std::size_t arm = 0; arm < cells_.size(); ++arm)
+      if (!failed_.contains(arm)) visit(arm, *cells_[arm]);
+  }
+
+  RunRecord run(const MergedPlan& merged, CachedRun& cached) {
+    std::vector<PlannedSource> wanted;
+    for_each_left([&](std::size_t arm, CellRun& cell) {
+      for (const PlannedSource& source : cell.wanted())
+        wanted.push_back(merged.source(arm, source));
+    });
+    RunOptions options;
+    options.threads = job_.options.threads;
+    options.memory = job_.options.memory;
+    options.scratch = scratch_of(job_.options.folder);
+    options.stop = job_.options.stop;
+    return cached.run(
+        wanted, [&](const Reuse&) { return sinks(merged); }, options);
+  }
+
+  std::vector<Sink> sinks(const MergedPlan& merged) {
+    std::vector<Sink> all;
+    owner_of_sink_.clear();
+    for_each_left([&](std::size_t arm, CellRun& cell) {
+      for (Sink& sink : cell.sinks()) {
+        sink.name = names_[arm] + ": " + sink.name;
+        sink.source = merged.source(arm, sink.source);
+        owner_of_sink_[sink.name] = arm;
+        all.push_back(std::move(sink));
+      }
+    });
+    return all;
+  }
+
+  void finish(const MergedPlan& merged, const CachedRun& cached, const RunRecord& record) {
+    for_each_left([&](std::size_t arm, CellRun& cell) {
+      cell.cell().stages = cell_stages(merged, arm, cell.plan(), cached, record, seconds_);
+      cell.finish(record_of_arm(merged, arm, names_[arm], cell.plan(), record),
+                  reuse_of_arm(merged, arm, cached));
+    });
+  }
+
+  // A stage that is stored in a second attempt was computed in the first.
+  void note_seconds(const MergedPlan& merged, const CachedRun& cached, const RunRecord& record) {
+    for (std::size_t i = 0; i < merged.plan.stages.size(); ++i) {
+      if (cached.reuse().fates.size() <= i || cached.reuse().fates[i] != Fate::kRuns) continue;
+      if (i < record.processes.size())
+        seconds_[cached.keys()[i].digest] += busy_seconds(record.processes[i]);
+    }
+  }
+
+  void fail_owners(const MergedPlan& merged, const RunRecord& record) {
+    std::vector<std::size_t> owners;
+    std::string stage = record.failed_stage;
+    for (std::size_t i = 0; i < merged.plan.stages.size(); ++i) {
+      if (merged.plan.stages[i].name != record.failed_stage) continue;
+      owners = merged.owners[i];
+      stage = merged.plan.stages[i].seed_name();
+    }
+    if (const auto sink = owner_of_sink_.find(record.failed_stage); sink != owner_of_sink_.end())
+      owners.push_back(sink->second);
+    if (owners.empty()) throw Error(record.sentence);
+    for (const std::size_t arm : owners) {
+      failed_.insert(arm);
+      RunRecord of_arm = record_of_arm(merged, arm, names_[arm], cells_[arm]->plan(), record);
+      of_arm.failed_stage = stage;
+      cells_[arm]->fail(of_arm);
+    }
+  }
+
+  const CompareJob& job_;
+  Comparison& comparison_;
+  std::uint64_t seed_;
+  std::vector<std::unique_ptr<CellRun>> cells_;
+  std::vector<std::string> names_;
+  std::set<std::size_t> failed_;
+  std::map<std::string, std::size_t> owner_of_sink_;
+  std::map<Digest, double> seconds_;
+};
+
+}  // namespace
+
+bool run_group(const CompareJob& job, std::size_t recording, std::size_t seed,
+               Comparison& comparison) {
+  try {
+    return GroupRun(job, recording, seed, comparison).run();
+  } catch (const Cancelled&) {
+    return false;
+  }
+}
+
+}  // namespace stope

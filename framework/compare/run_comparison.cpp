@@ -1,0 +1,125 @@
+#include "framework/compare/run_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "framework/compare/arm_keys.hpp"
+#include "framework/compare/comparison_json.hpp"
+#include "framework/compare/earlier_cells.hpp"
+#include "framework/compare/equal_arms.hpp"
+#include "framework/compare/group_run.hpp"
+#include "framework/compare/new_comparison.hpp"
+#include "framework/compare/timing.hpp"
+#include "framework/report/folder_lock.hpp"
+#include "framework/report/pending_file.hpp"
+#include "framework/report/run_json.hpp"
+#include "stope/error.hpp"
+
+namespace stope {
+namespace {
+
+std::string now() { return report::utc_text(std::chrono::system_clock::now()); }
+
+class ComparisonRun {
+ public:
+  explicit ComparisonRun(const CompareJob& job)
+      : job_(job), lock_(made(job.options.folder)), comparison_(new_comparison(job)) {
+    remove_scratch();
+    const EarlierCells earlier(job_);
+    comparison_.id = earlier.id();
+    comparison_.started = now();
+    name_keys();
+    const std::size_t kept = earlier.take_over(comparison_);
+    if (kept > 0)
+      job_.observer.log(LogLevel::kInfo, "",
+                        fmt::format("{} of {} runs were done before and are kept", kept,
+                                    comparison_.cells.size()));
+  }
+
+  Comparison run() {
+    const std::size_t groups = comparison_.recordings.size() * comparison_.seeds.size();
+    bool stopped = false;
+    for (std::size_t group = 0; group < groups && !stopped; ++group)
+      stopped = !run_next(group, groups);
+    if (!stopped) stopped = !time_arms(job_, comparison_);
+    note_equal_arms(comparison_);
+    comparison_.complete = !stopped;
+    if (!stopped) comparison_.ended = now();
+    save();
+    return std::move(comparison_);
+  }
+
+ private:
+  static const std::filesystem::path& made(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Error(report::io_sentence("make the folder", folder, error.value()));
+    return folder;
+  }
+
+  // What a comparison that was killed left; the lock says that it is gone.
+  void remove_scratch() const {
+    std::error_code ignored;
+    std::filesystem::remove_all(scratch_of(job_.options.folder), ignored);
+  }
+
+  // Also decides which cells are equal, before anything runs.
+  void name_keys() {
+    for (ComparedCell& cell : comparison_.cells) {
+      if (cell.status != CellStatus::kPending) continue;
+      const PlannedArm& arm = job_.plan.of(cell.arm, cell.recording);
+      cell.key =
+          cell_key(job_.experiment, arm,
+                   arm_keys(job_, *arm.plan, job_.experiment.seed_of(cell.recording, cell.seed),
+                            comparison_.id));
+    }
+    note_equal_arms(comparison_);
+    for (const std::string& warning : comparison_.warnings)
+      job_.observer.log(LogLevel::kWarning, "", warning);
+  }
+
+  bool run_next(std::size_t group, std::size_t groups) {
+    const std::size_t recording = group / comparison_.seeds.size();
+    const std::size_t seed = group % comparison_.seeds.size();
+    std::size_t pending = 0;
+    for (std::size_t arm = 0; arm < comparison_.arms.size(); ++arm)
+      pending += comparison_.cell(arm, recording, seed).status == CellStatus::kPending ? 1 : 0;
+    if (pending == 0) return true;
+    const auto begin = std::chrono::steady_clock::now();
+    const bool done = !job_.stopping() && run_group(job_, recording, seed, comparison_);
+    save();
+    if (!done) return false;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    job_.observer.log(
+        LogLevel::kInfo, "",
+        fmt::format("{}/{} {}, seed {}: {} in {:.1f} s", group + 1, groups,
+                    comparison_.recordings[recording].name,
+                    job_.experiment.seed_of(recording, seed),
+                    pending == 1 ? "one arm" : fmt::format("{} arms", pending), took.count()));
+    return true;
+  }
+
+  void save() const {
+    report::write_file(job_.options.folder / "comparison.json", comparison_json(comparison_));
+  }
+
+  const CompareJob& job_;
+  report::FolderLock lock_;
+  Comparison comparison_;
+};
+
+}  // namespace
+
+Comparison run_comparison(const CompareJob& job) {
+  try {
+    return ComparisonRun(job).run();
+  } catch (const Cancelled&) {
+    // While files were read for their keys: nothing has changed yet.
+    return new_comparison(job);
+  }
+}
+
+}  // namespace stope

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "framework/compare/compare_job.hpp"
+#include "framework/compare/comparison.hpp"
+
+namespace stope {
+
+/// Times each arm against the baseline, on every recording and seed that both have done, as often
+/// as the experiment asks: the stages that only one of the two has, in turns and in pairs, each
+/// pair in the other order than the one before, after one run of each that does not count. What the
+/// arms have in common comes from the store; exports and stages that give nothing but measures are
+/// not part of what is compared. False if it was cancelled.
+bool time_arms(const CompareJob& job, Comparison& comparison);
+
+/// What pairs of times come to.
+struct TimingSummary {
+  struct Of {
+    double least = 0, median = 0, most = 0;
+  };
+  Of baseline, arm;  ///< seconds
+  Of ratio;          ///< arm / baseline, pair by pair
+};
+TimingSummary summary_of(const TimedPair& timed);
+
+}  // namespace stope

@@ -1,0 +1,113 @@
+// What is computed twice: processor time of the killed process and of the one that goes on, less
+// that of an undisturbed one. Starting a process and reading what is stored count as computing,
+// too.
+#include "tests/benchmarks/comparing/killed_comparisons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+#include "tests/benchmarks/comparing/measured_process.hpp"
+
+namespace stope::benchmark {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExperiment = R"(stope_experiment: 1
+name: killed
+base: {}/pipelines/measure/mapped_grid.yaml
+arms:
+  cross:
+    roads.use: [topology/voronoi, topology/watershed, topology/skeleton, topology/region_growing]
+    live.obstacle_height: [0.4 m, 0.6 m]
+recordings:
+  cross: {{seed: [1, 2, 3, 4, 5]}}
+metrics:
+  apls: {{from: apls, better: higher, matters: 0.01}}
+  coverage: {{from: coverage, better: higher, matters: 0.01}}
+)";
+
+/// sha256 by path, of all that the comparison lists.
+std::map<std::string, std::string> artefacts(const fs::path& out) {
+  std::map<std::string, std::string> files;
+  const auto comparison = nlohmann::json::parse(text_of(out / "comparison.json"));
+  if (!comparison.at("complete")) throw std::runtime_error("a comparison is not complete");
+  for (const auto& cell : comparison.at("cells"))
+    for (const auto& file : cell.at("artefacts")) files[file.at("path")] = file.at("sha256");
+  return files;
+}
+
+/// What the store knows of: names of files below stages/.
+std::set<std::string> stored_keys(const fs::path& store) {
+  std::set<std::string> keys;
+  std::error_code none;
+  for (const auto& entry : fs::recursive_directory_iterator(store / "stages", none))
+    if (entry.is_regular_file())
+      keys.insert(entry.path().parent_path().filename().string() +
+                  entry.path().filename().string());
+  return keys;
+}
+
+/// Stages that ran in cells written after `since` though the store had their key.
+int ran_again(const fs::path& out, const std::set<std::string>& keys, fs::file_time_type since) {
+  std::set<std::string> again;
+  for (const auto& entry : fs::recursive_directory_iterator(out / "arms")) {
+    if (entry.path().filename() != "run.json" || entry.last_write_time() < since) continue;
+    const auto run = nlohmann::json::parse(text_of(entry.path()));
+    for (const auto& stage : run.at("stages"))
+      if (stage.at("from") == "run" && keys.contains(stage.at("key").at("digest")))
+        again.insert(stage.at("key").at("digest"));
+  }
+  return static_cast<int>(again.size());
+}
+
+}  // namespace
+
+bool kill_comparisons(int times) {
+  const WorkFolder work;
+  write_text(work.path() / "e.yaml", fmt::format(fmt::runtime(kExperiment), STOPE_SOURCE_DIR));
+  const auto arguments = [&](const std::string& name) {
+    return std::vector<std::string>{"compare",   (work.path() / "e.yaml").string(),
+                                    "--out",     (work.path() / name / "out").string(),
+                                    "--cache",   (work.path() / name / "store").string(),
+                                    "--threads", "2",
+                                    "-q"};
+  };
+  const MeasuredProcess whole = run_stope(arguments("whole"));
+  if (whole.exit_code != 0) throw std::runtime_error("the comparison failed");
+  const auto wanted = artefacts(work.path() / "whole/out");
+  fmt::print("undisturbed: {:.1f} s, {:.1f} s of processor time, {} files\n", whole.wall,
+             whole.processor, wanted.size());
+  std::mt19937_64 random(20261128);
+  std::vector<double> shares;
+  bool right = true;
+  for (int time = 0; time < times; ++time) {
+    const double at = std::uniform_real_distribution<>(0.02, 0.98)(random) * whole.wall;
+    fs::remove_all(work.path() / "killed");
+    const MeasuredProcess killed = run_stope(arguments("killed"), at);
+    const auto keys = stored_keys(work.path() / "killed/store");
+    const auto since = fs::file_time_type::clock::now();
+    const MeasuredProcess rest = run_stope(arguments("killed"));
+    const bool same = rest.exit_code == 0 && artefacts(work.path() / "killed/out") == wanted;
+    const int again = ran_again(work.path() / "killed/out", keys, since);
+    shares.push_back((killed.processor + rest.processor) / whole.processor - 1);
+    right = right && same && again == 0;
+    fmt::print(
+        "killed at {:5.1f} s: {:5.1f} s + {:5.1f} s of processor time, {:+.1f} %, {} stored "
+        "stages ran again, {}\n",
+        at, killed.processor, rest.processor, 100 * shares.back(), again,
+        same ? "the same bytes" : "OTHER BYTES");
+  }
+  const double most = *std::max_element(shares.begin(), shares.end());
+  fmt::print("computed again: median {:.1f} %, most {:.1f} % (allowed: 10 %)\n",
+             100 * median(shares), 100 * most);
+  return right && most <= 0.10;
+}
+
+}  // namespace stope::benchmark
