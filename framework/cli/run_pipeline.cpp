@@ -3,20 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <thread>
-
 #include "framework/cache/reported_run.hpp"
 #include "framework/cli/byte_size.hpp"
 #include "framework/cli/progress_bars.hpp"
+#include "framework/cli/resources.hpp"
 #include "framework/report/run_report.hpp"
 
 namespace stope {
 namespace {
-
-std::size_t half_of_ram() {
-  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) / 2;
-}
 
 // Sends what a run says both to the terminal and to the run's log.
 class Narrator final : public RunObserver {
@@ -70,9 +64,8 @@ PipelineRun run_pipeline(const LoadedPipeline& pipeline, const Arguments& argume
                          const std::atomic<bool>& stop) {
   const Plan& plan = *pipeline.plan;
   RunOptions options;
-  options.threads = arguments.threads > 0 ? arguments.threads
-                                          : static_cast<int>(std::thread::hardware_concurrency());
-  options.memory = arguments.memory > 0 ? arguments.memory : half_of_ram();
+  options.threads = threads_of(arguments);
+  options.memory = memory_of(arguments);
   options.seed = arguments.seed;
   options.stop = &stop;
 
