@@ -9,92 +9,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "plugins/metric/outline_clearance.hpp"
+#include "plugins/metric/path_motion.hpp"
 #include "stope/error.hpp"
 
 namespace stope::metric {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-using Polygon = std::array<Vector2, 4>;  // convex, in one sense of rotation
-
-double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double distance_to_segment(const Vector2& point, const Vector2& a, const Vector2& b) {
-  const Vector2 way = b - a;
-  const double share = std::clamp(way.dot(point - a) / way.squaredNorm(), 0.0, 1.0);
-  return (point - a - share * way).norm();
-}
-
-/// Whether a line along one of `a`'s edges keeps `a` and `b` apart.
-bool separates(const Polygon& a, const Polygon& b) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vector2 edge = a[(i + 1) % 4] - a[i];
-    const double inside = cross(edge, a[(i + 2) % 4] - a[i]);
-    const bool all_beyond = std::all_of(b.begin(), b.end(), [&](const Vector2& corner) {
-      return cross(edge, corner - a[i]) * inside < 0;
-    });
-    if (all_beyond) return true;
-  }
-  return false;
-}
-
-/// Metres between two convex polygons; 0 if they touch.
-double distance_between(const Polygon& a, const Polygon& b) {
-  if (!separates(a, b) && !separates(b, a)) return 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      least = std::min({least, distance_to_segment(a[i], b[j], b[(j + 1) % 4]),
-                        distance_to_segment(b[i], a[j], a[(j + 1) % 4])});
-    }
-  }
-  return least;
-}
-
-Polygon outline_of(const TruckLimits& truck, const Pose2& pose) {
-  const Vector2 ahead(std::cos(pose.yaw), std::sin(pose.yaw)), left(-ahead.y(), ahead.x());
-  const Vector2 axle(pose.x, pose.y);
-  const Vector2 nose = axle + (truck.length - truck.rear_overhang) * ahead;
-  const Vector2 tail = axle - truck.rear_overhang * ahead;
-  const Vector2 side = truck.width / 2 * left;
-  return {Vector2(tail - side), Vector2(nose - side), Vector2(nose + side), Vector2(tail + side)};
-}
-
-bool is_obstacle(const OccupancyGrid& grid, Cell cell) {
-  // 255 is unknown, 127 / 254 an even chance.
-  return !grid.frame.contains(cell) || grid.cells[grid.frame.place(cell)] >= 127;
-}
-
-/// Metres from an outline to the nearest obstacle, at most `farthest`.
-double clearance_of(const Polygon& outline, const OccupancyGrid& grid, double farthest) {
-  const GridFrame& frame = grid.frame;
-  double left = std::numeric_limits<double>::infinity(), bottom = left, right = -left, top = -left;
-  for (const Vector2& corner : outline) {
-    const Vector2 at = frame.to_grid(corner.x(), corner.y());
-    left = std::min(left, at.x()), right = std::max(right, at.x());
-    bottom = std::min(bottom, at.y()), top = std::max(top, at.y());
-  }
-  const double around = farthest / frame.resolution;
-  const auto whole = [](double value) { return static_cast<std::int32_t>(std::floor(value)); };
-  double least = farthest;
-  for (std::int32_t row = whole(bottom - around); row <= whole(top + around); ++row) {
-    for (std::int32_t column = whole(left - around); column <= whole(right + around); ++column) {
-      if (!is_obstacle(grid, {column, row})) continue;
-      const Polygon square{frame.to_map(column, row), frame.to_map(column + 1, row),
-                           frame.to_map(column + 1, row + 1), frame.to_map(column, row + 1)};
-      least = std::min(least, distance_between(outline, square));
-      if (least == 0) return 0;
-    }
-  }
-  return least;
-}
-
 /// Height between four cell centres, by weights; NaN where one of them is not known.
 double ground_height(const ElevationGrid& elevation, double x, double y) {
   const Vector2 at = elevation.frame.to_grid(x, y) - Vector2(0.5, 0.5);
@@ -110,35 +36,6 @@ double ground_height(const ElevationGrid& elevation, double x, double y) {
     sum += weight * static_cast<double>(elevation.cells[elevation.frame.place(cell)]);
   }
   return sum;
-}
-
-/// 1/m of the circle through three points.
-double circle_through(const Vector2& a, const Vector2& b, const Vector2& c) {
-  const double sides = (b - a).norm() * (c - b).norm() * (c - a).norm();
-  return sides > 0 ? 2 * std::abs(cross(b - a, c - a)) / sides : 0;
-}
-
-/// The motion between two points in a row.
-struct Motion {
-  double length = 0;     // metres, along the arc
-  double turn = 0;       // radians
-  double curvature = 0;  // 1/m, as the wheels stand
-  double slide = 0;      // metres across the heading
-  bool backwards = false;
-};
-
-Motion motion_between(const PathPoint& a, const PathPoint& b) {
-  Motion motion;
-  motion.turn = std::remainder(b.yaw - a.yaw, 2 * std::numbers::pi);
-  const double middle = a.yaw + motion.turn / 2;
-  const Vector2 way(b.x - a.x, b.y - a.y), ahead(std::cos(middle), std::sin(middle));
-  const double half = std::abs(motion.turn) / 2;
-  motion.length = way.norm() * (half > 1e-9 ? half / std::sin(half) : 1);
-  motion.backwards = way.dot(ahead) < 0;
-  motion.slide = std::abs(cross(ahead, way));
-  if (motion.length > 0)
-    motion.curvature = motion.turn / (motion.backwards ? -motion.length : motion.length);
-  return motion;
 }
 
 class Validator {
@@ -177,7 +74,7 @@ class Validator {
 
   void check_motion(std::size_t i) {
     const PathPoint& here = points_[i];
-    const Motion& motion = motions_[i];
+    const PathMotion& motion = motions_[i];
     const double along = found_.length, most = 1 / truck_.turning_radius;
     if (!(motion.length >= 1e-4) || motion.length > 1.1) {
       violate(
@@ -214,7 +111,7 @@ class Validator {
 
   void sweep(std::size_t i) {
     const PathPoint &a = points_[i], &b = points_[i + 1];
-    const Motion& motion = motions_[i];
+    const PathMotion& motion = motions_[i];
     const double count = std::clamp(std::ceil(motion.length / kLook), 1.0, 1e4);
     // The arc's bulge to the side of the chord.
     const Vector2 chord(b.x - a.x, b.y - a.y);
@@ -251,8 +148,8 @@ class Validator {
 
   void check_statements(std::size_t i) {
     const PathPoint& point = points_[i];
-    const Motion& before = motions_[i == 0 ? 0 : i - 1];
-    const Motion& after = motions_[std::min(i, motions_.size() - 1)];
+    const PathMotion& before = motions_[i == 0 ? 0 : i - 1];
+    const PathMotion& after = motions_[std::min(i, motions_.size() - 1)];
     const auto [low, high] = std::minmax(before.curvature, after.curvature);
     const double off = std::max({0.0, low - point.curvature, point.curvature - high});
     const double most = 1.001 / truck_.turning_radius;
@@ -275,7 +172,7 @@ class Validator {
   const OccupancyGrid& grid_;
   const ElevationGrid* elevation_;
   const TruckLimits truck_;
-  std::vector<Motion> motions_;
+  std::vector<PathMotion> motions_;
   DriveValidity found_;
 };
 
