@@ -1,7 +1,7 @@
 #include "plugins/topology/squared_distances.hpp"
 
-#include <array>
 #include <memory>
+#include <vector>
 
 #include "plugins/topology/for_each_band.hpp"
 #include "plugins/topology/nearest_obstacles.hpp"
@@ -9,32 +9,41 @@
 namespace stope::topology {
 namespace {
 
-/// Writes a parabola over the cells from `begin` to before `end`, and something over cells before
-/// them, not beyond `floor`.
+/// The squares of whole numbers on both sides of 0: a parabola is a stretch of them, raised. What
+/// is near 0 is what is needed mostly, and stays in the nearest cache.
+class Squares {
+ public:
+  explicit Squares(std::int32_t most)
+      : zero_(most), squares_(2 * static_cast<std::size_t>(most) + 1) {
+    for (std::int32_t x = -most; x <= most; ++x)
+      squares_[static_cast<std::size_t>(x + most)] = square(x);
+  }
+  static std::uint32_t square(std::int32_t x) {
+    return static_cast<std::uint32_t>(x) * static_cast<std::uint32_t>(x);
+  }
+  const std::uint32_t* from(std::int32_t x) const { return squares_.data() + zero_ + x; }
+
+ private:
+  std::ptrdiff_t zero_;
+  std::vector<std::uint32_t> squares_;
+};
+
+/// Writes (column - i)^2 + rows^2 to the cells i from `begin` to before `end`, and something to
+/// cells before them, not beyond `floor`.
 void write_parabola(std::uint32_t* cells, std::int32_t floor, std::int32_t begin, std::int32_t end,
-                    std::int32_t column, std::int32_t rows) {
+                    std::int32_t column, std::int32_t rows, const Squares& squares) {
   constexpr std::int32_t kLanes = 4;
-  const auto square = [](std::int32_t a) {
-    return static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(a);
-  };
-  const std::uint32_t least = square(rows);
+  const std::uint32_t least = Squares::square(rows);
   if (begin - floor < kLanes) {
-    for (std::int32_t i = begin; i < end; ++i) cells[i] = square(i - column) + least;
+    const std::uint32_t* square = squares.from(begin - column);
+    for (std::int32_t i = begin; i < end; ++i) cells[i] = *square++ + least;
     return;
   }
-  // (x - 4)^2 = x^2 - (8 x - 16): four cells at once go on by additions.
-  std::array<std::uint32_t, kLanes> value, step;
-  for (std::int32_t k = 0; k < kLanes; ++k) {
-    const std::int32_t x = end - kLanes + k - column;
-    value[static_cast<std::size_t>(k)] = square(x) + least;
-    step[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(16 - 8 * x);
-  }
-  while (true) {
-    end -= kLanes;
-    std::memcpy(cells + end, value.data(), sizeof value);
-    if (end <= begin) return;
-    for (std::size_t k = 0; k < kLanes; ++k) value[k] += step[k];
-    for (std::size_t k = 0; k < kLanes; ++k) step[k] += 32;
+  const std::uint32_t* square = squares.from(end - column);
+  for (cells += end; begin < end; end -= kLanes) {
+    cells -= kLanes;
+    square -= kLanes;
+    for (std::int32_t k = 0; k < kLanes; ++k) cells[k] = square[k] + least;
   }
 }
 
@@ -43,6 +52,8 @@ void write_parabola(std::uint32_t* cells, std::int32_t floor, std::int32_t begin
 void find_squared_distances(const FreeSpace& space, PaddedGrid<std::uint32_t>& distances,
                             const Checkpoint& checkpoint) {
   const BandBorders borders(space, checkpoint);
+  // Lanes before a piece are read, too.
+  const Squares squares(space.stride() + 4);
   for_each_band(borders.bands(), checkpoint, [&] {
     return [&, sweep = std::make_shared<BandSweep>(space)](std::int32_t band) {
       const std::int32_t bottom = band * BandBorders::kRows;
@@ -59,7 +70,7 @@ void find_squared_distances(const FreeSpace& space, PaddedGrid<std::uint32_t>& d
       sweep->run(borders, band,
                  [&](auto row, auto first, auto begin, auto end, auto column, auto site_row) {
                    write_parabola(distances.padded_row(row) + 1, first, begin, end, column,
-                                  site_row - row);
+                                  site_row - row, squares);
                  });
     };
   });
