@@ -13,10 +13,8 @@ namespace {
 /// is near 0 is what is needed mostly, and stays in the nearest cache.
 class Squares {
  public:
-  explicit Squares(std::int32_t most)
-      : zero_(most), squares_(2 * static_cast<std::size_t>(most) + 1) {
-    for (std::int32_t x = -most; x <= most; ++x)
-      squares_[static_cast<std::size_t>(x + most)] = square(x);
+  explicit Squares(std::int32_t most) : zero_(most) {
+    for (std::int32_t x = -most; x <= most; ++x) squares_.push_back(square(x));
   }
   static std::uint32_t square(std::int32_t x) {
     return static_cast<std::uint32_t>(x) * static_cast<std::uint32_t>(x);
