@@ -29,7 +29,7 @@ double ground_height(const ElevationGrid& elevation, double x, double y) {
     return kNaN;
   double sum = 0;
   for (int k = 0; k < 4; ++k) {
-    const double column = std::floor(at.x()) + k % 2, row = std::floor(at.y()) + k / 2;
+    const double column = std::floor(at.x()) + (k & 1), row = std::floor(at.y()) + (k >> 1);
     const double weight = (1 - std::abs(at.x() - column)) * (1 - std::abs(at.y() - row));
     const Cell cell{std::clamp(static_cast<std::int32_t>(column), 0, elevation.frame.width - 1),
                     std::clamp(static_cast<std::int32_t>(row), 0, elevation.frame.height - 1)};
