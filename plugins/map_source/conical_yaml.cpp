@@ -122,7 +122,8 @@ class Reader {
     const YAML::Node origin = need(document_, "origin");
     const auto pose = numbers<double>(origin, "origin", 3);
     for (const double value : pose) {
-      if (!std::isfinite(value)) map_.fail(line_of(origin), "'origin' is no place");
+      if (!(std::abs(value) <= 1e9))
+        map_.fail(line_of(origin), "'origin' is no place: expected metres, at most 1e9");
     }
     map_.origin = {pose[0], pose[1], pose[2]};
   }

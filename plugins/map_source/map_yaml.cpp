@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ class Reader {
           "the map {} is not a map_server yaml: expected keys such as image, resolution and origin",
           file_));
     }
+    refuse_doubles();
   }
 
   template <class T>
@@ -63,6 +65,20 @@ class Reader {
   }
 
  private:
+  // The parser keeps one of two values, and which is not what a reader of the file would guess.
+  void refuse_doubles() const {
+    std::map<std::string, int> lines;
+    for (const auto& entry : document_) {
+      if (!entry.first.IsScalar()) continue;
+      const int line = entry.first.Mark().line + 1;
+      const auto [other, is_new] = lines.emplace(entry.first.Scalar(), line);
+      if (!is_new) {
+        throw Error(fmt::format("the map {}:{}: '{}' is given twice, first in line {}", file_, line,
+                                other->first, other->second));
+      }
+    }
+  }
+
   YAML::Node need(const char* key, const char* expected) const {
     const YAML::Node node = document_[key];
     if (!node.IsDefined() || node.IsNull())
@@ -90,11 +106,11 @@ MapMode read_mode(const Reader& reader) {
 }
 
 Pose2 read_origin(const Reader& reader) {
-  const char* expected = "three numbers [x, y, yaw] in metres and radians";
+  const char* expected = "three numbers [x, y, yaw] in metres and radians, at most 1e9";
   const auto numbers = reader.get<std::vector<double>>("origin", expected);
   if (numbers.size() != 3) reader.fail("origin", expected);
   for (const double number : numbers) {
-    if (!std::isfinite(number)) reader.fail("origin", expected);
+    if (!(std::abs(number) <= 1e9)) reader.fail("origin", expected);
   }
   return {numbers[0], numbers[1], numbers[2]};
 }

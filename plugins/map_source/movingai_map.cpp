@@ -28,6 +28,11 @@ class Lines {
     return true;
   }
 
+  int number() const { return number_; }
+
+  [[noreturn]] void fail_whole(const std::string& what) const {
+    throw Error(fmt::format("the map {}: {}", name_, what));
+  }
   [[noreturn]] void fail(const std::string& what) const {
     throw Error(fmt::format("the map {}:{}: {}", name_, number_, what));
   }
@@ -41,6 +46,15 @@ class Lines {
   int number_ = 0;
 };
 
+/// A word of the file as a message may show it: short, and without bytes that move a terminal.
+std::string shown(std::string_view text) {
+  constexpr std::size_t kMost = 40;
+  std::string result(text.substr(0, kMost));
+  for (char& letter : result)
+    if (letter < ' ' || letter > '~') letter = '?';
+  return text.size() > kMost ? result + "…" : result;
+}
+
 struct Header {
   std::int32_t width = 0, height = 0;
 };
@@ -49,8 +63,8 @@ std::int32_t positive(const Lines& lines, std::string_view key, std::string_view
   std::int32_t value = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (problem != std::errc() || end != text.data() + text.size() || value < 1) {
-    lines.fail(fmt::format("'{}' is '{}': expected a whole number of cells from 1 to {}", key, text,
-                           std::numeric_limits<std::int32_t>::max()));
+    lines.fail(fmt::format("'{}' is '{}': expected a whole number of cells from 1 to {}", key,
+                           shown(text), std::numeric_limits<std::int32_t>::max()));
   }
   return value;
 }
@@ -69,7 +83,7 @@ Header read_header(Lines& lines) {
     const std::string value = blank == std::string::npos ? "" : line.substr(blank + 1);
     if (key == "type") {
       if (value != "octile")
-        lines.fail(fmt::format("the type is '{}': only octile maps can be read", value));
+        lines.fail(fmt::format("the type is '{}': only octile maps can be read", shown(value)));
       type = true;
     } else if (key == "height") {
       header.height = positive(lines, key, value);
@@ -80,6 +94,7 @@ Header read_header(Lines& lines) {
           "this is not a MovingAI map: expected 'type octile', 'height N', 'width N' and 'map'");
     }
   }
+  if (lines.number() == 0) lines.fail_whole("the map is empty");
   lines.fail("the map is cut off before its rows, or is no MovingAI map: there is no line 'map'");
 }
 
@@ -135,7 +150,7 @@ OccupancyGrid read_movingai_map(const std::filesystem::path& file, double resolu
       if (cell < 0) {
         lines.fail_at(column, fmt::format("'{}' is no terrain: expected . G S (free) or @ O T W "
                                           "(not)",
-                                          line[column]));
+                                          shown(std::string_view(line).substr(column, 1))));
       }
       cells[column] = static_cast<std::uint8_t>(cell);
     }

@@ -107,6 +107,7 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid, Optional<Road
           fmt::format("the longest detour, {:.3f}, is from ({:.1f}, {:.1f}) to ({:.1f}, "
                       "{:.1f})",
                       worst, result.from.x(), result.from.y(), result.to.x(), result.to.y()));
+    warn_of_doubt(result, context);
     MeasureList list(
         fmt::format("{} random pairs between {}, geodesics of at least {} m, any angle, {} m "
                     "from obstacles; {} measured, {} not joined by the graph, {} with a "
@@ -131,7 +132,7 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid, Optional<Road
 
   struct Result {
     std::vector<double> detours, true_detours, to_true;
-    std::size_t apart = 0, off_free = 0;
+    std::size_t apart = 0, off_free = 0, drawn = 0;
     Vector2 from = Vector2::Zero(), to = Vector2::Zero();  // of the longest detour
   };
   // A place to drive from or to, and the way between it and its road.
@@ -162,6 +163,7 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid, Optional<Road
       context.stop_if_cancelled();
       const auto from = draw(), to = draw();
       if (!from || !to) continue;
+      ++result.drawn;
       const auto geodesic = geodesics.between(from->position, to->position);
       if (!geodesic) ++result.off_free;
       if (!geodesic || *geodesic == Geodesics::kUnreachable || *geodesic < params.min_distance)
@@ -186,6 +188,25 @@ class Detour final : public Map<Measures(RoadGraph, OccupancyGrid, Optional<Road
       result.to = to->position;
     }
     return result;
+  }
+
+  /// Says why figures may not mean what they seem to.
+  void warn_of_doubt(const Result& result, Context& context) const {
+    const auto shorter = std::count_if(result.detours.begin(), result.detours.end(),
+                                       [](double detour) { return detour < 1 - 1e-3; });
+    if (shorter > 0) {
+      context.warn(fmt::format(
+          "{} of {} routes are shorter than the shortest way through free space {} m from "
+          "obstacles: the graph leaves that ground, and its detours say nothing there",
+          shorter, result.detours.size(), params.min_clearance));
+    }
+    const std::size_t judged = result.detours.size() + result.apart;
+    if (result.drawn > 0 && judged < static_cast<std::size_t>(params.pairs)) {
+      context.warn(
+          fmt::format("only {} of {} pairs could be judged: of {} drawn, {} have a place off free "
+                      "space, the others are nearer than {} m or not joined by free space",
+                      judged, params.pairs, result.drawn, result.off_free, params.min_distance));
+    }
   }
 
   static std::optional<Vector2> draw_free(const FreeCells& cells, Random& random) {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "stope/error.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFarthest = 1e9;  // metres: beyond, a double no longer tells micrometres apart
 
 }  // namespace
 
@@ -26,9 +28,10 @@ FeatureJson::FeatureJson(const std::string& file, const FeatureText& text, std::
     const std::size_t place = std::min<std::size_t>(error.byte, text.text.size());
     origin_.line += static_cast<std::uint32_t>(std::count(
         text.text.begin(), text.text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
-    fail(fmt::format("this is not JSON ({})", error.what()));
+    fail(fmt::format("this is not JSON ({})", std::string_view(error.what()).substr(0, 240)));
   } catch (const json::exception& error) {
-    fail(fmt::format("this cannot be read ({})", error.what()));
+    // The parser repeats numbers in full, however long.
+    fail(fmt::format("this cannot be read ({})", std::string_view(error.what()).substr(0, 160)));
   }
   if (!json_.is_object()) fail("this is no feature: expected an object");
 }
@@ -109,8 +112,15 @@ double FeatureJson::number(const json& in, const char* key) const {
 RoadVertex FeatureJson::position(const json& value) const {
   if (!value.is_array() || value.size() < 2)
     fail("a position is not a list of two or three numbers [x, y, z]");
-  return {real(value[0], "a coordinate"), real(value[1], "a coordinate"),
-          value.size() > 2 ? real(value[2], "a height") : kNaN, 0};
+  const RoadVertex at{real(value[0], "a coordinate"), real(value[1], "a coordinate"),
+                      value.size() > 2 ? real(value[2], "a height") : kNaN, 0};
+  if (!(std::max(std::abs(at.x), std::abs(at.y)) <= kFarthest)) {
+    fail(
+        fmt::format("the position ({:g}, {:g}) is no place in metres: expected at most {:g} from "
+                    "the origin",
+                    at.x, at.y, kFarthest));
+  }
+  return at;
 }
 
 void FeatureJson::fail(const std::string& what) const {

@@ -108,6 +108,7 @@ class OneFeature {
       read_part(*stope, record);
     } else {
       read_line(geometry);
+      if (record.speed_limit <= 0) ++records_.lost["speed limits of 0 or less"];
       if (properties.contains("cost") && properties["cost"] != 0) ++records_.lost["cost"];
     }
     record.vertex_count =
@@ -232,6 +233,12 @@ void FeatureReader::read(const FeatureText& text, std::uint32_t number) {
 void FeatureReader::read_member(std::string_view name, const FeatureText& text) {
   if (name != "stope") return;
   const FeatureJson member(file_, text, 0);
+  if (const auto version = member.value().find("version");
+      version == member.value().end() || *version != 1) {
+    member.fail(
+        fmt::format("the route graph's 'stope' has the version {}: this Stope reads 1 only",
+                    version == member.value().end() ? "none" : version->dump().substr(0, 40)));
+  }
   records_.written_nodes = member.stope_id(member.value(), "nodes");
   records_.written_roads = member.stope_id(member.value(), "roads");
 }

@@ -155,6 +155,10 @@ TEST(MapServer, SaysWhatIsWrongWithTheYaml) {
   EXPECT_NE(with(1, "resolution: fine").find("'resolution' is wrong"), std::string::npos);
   EXPECT_NE(with(2, "origin: [0, 0]").find("m.yaml:3: 'origin' is wrong"), std::string::npos);
   EXPECT_NE(with(2, "origin: [0, .nan, 0]").find("'origin' is wrong"), std::string::npos);
+  EXPECT_NE(with(2, "origin: [0, 1e300, 0]").find("'origin' is wrong"), std::string::npos);
+  EXPECT_NE(with(2, "origin: [0, 0, 0]\nresolution: 0.6")
+                .find("m.yaml:4: 'resolution' is given twice, first in line 2"),
+            std::string::npos);
   EXPECT_NE(with(3, "negate: maybe").find("'negate' is wrong"), std::string::npos);
   EXPECT_NE(with(4, "occupied_thresh: 0.1").find("'occupied_thresh' is wrong"), std::string::npos);
   EXPECT_NE(with(5, "free_thresh: -0.1").find("'free_thresh' is wrong"), std::string::npos);

@@ -45,7 +45,12 @@ TEST(MovingAi, SaysWhereAMapIsWrong) {
   };
   const std::string header = "type octile\nheight 2\nwidth 2\nmap\n";
   EXPECT_EQ(error(header + "..\n..\n\n"), "");
-  EXPECT_NE(error("").find("cut off before its rows"), std::string::npos);
+  EXPECT_NE(error("").find("a.map: the map is empty"), std::string::npos);
+  EXPECT_NE(error("type octile\n").find("cut off before its rows"), std::string::npos);
+  const std::string long_word = error("type " + std::string(5000, '\x1b') + "\n");
+  EXPECT_LT(long_word.size(), 300U);
+  EXPECT_EQ(long_word.find('\x1b'), std::string::npos);
+  EXPECT_NE(error(header + "..\n.\x07\n").find("a.map:6:2: '?' is no terrain"), std::string::npos);
   EXPECT_NE(error("P5 2 2").find("a.map:1: this is not a MovingAI map"), std::string::npos);
   EXPECT_NE(error("type tile\n").find("a.map:1: the type is 'tile'"), std::string::npos);
   EXPECT_NE(error("type octile\nheight -2\n").find("a.map:2: 'height' is '-2'"), std::string::npos);

@@ -51,6 +51,18 @@ TEST(Buffer, ACrossingCountsTheBuffersWidth) {
   EXPECT_NEAR(value_of(measures, "completeness"), 0.04, 1e-12);
 }
 
+TEST(Buffer, NoShareIsAboveOne) {
+  Random random(5);
+  for (int round = 0; round < 50; ++round) {
+    const RoadGraph roads = random_roads(random, 12, 18, 300);
+    const Measures measures = buffer(roads, roads, 2);
+    for (const char* name : {"completeness", "correctness", "quality"}) {
+      EXPECT_LE(value_of(measures, name), 1) << name;
+      EXPECT_GT(value_of(measures, name), 1 - 1e-12) << name;
+    }
+  }
+}
+
 TEST(Buffer, AgreesWithFineSamples) {
   Random random(3);
   for (int round = 0; round < 20; ++round) {

@@ -162,6 +162,35 @@ TEST(Detour, PairsThatTheGraphDoesNotJoinAreAShareOfTheirOwn) {
   EXPECT_TRUE(std::isinf(value_of(stage.apply<Measures>(), "detour_p95")));
 }
 
+TEST(Detour, AGraphThatCrossesObstaclesIsWarnedOf) {
+  // A wall across the map but for a gap at its end; the graph goes straight through the wall.
+  OccupancyGrid grid = walled(62, 62);
+  for (int row = 0; row < 50; ++row)
+    grid.cells[grid.frame.place({31, row})] = OccupancyGrid::kOccupied;
+  stope::testing::StageHarness stage(stope_stage_Detour());
+  stage.input("grid", grid).input("roads", draw_roads({{{5, 5}, {55, 5}}}));
+  EXPECT_LT(value_of(stage.apply<Measures>(), "detour_p50"), 1);
+  std::string all;
+  for (const std::string& sentence : stage.context().sentences) all += sentence + "\n";
+  EXPECT_NE(all.find("are shorter than the shortest way"), std::string::npos) << all;
+}
+
+TEST(Detour, TooFewPairsAreWarnedOf) {
+  // All but a tenth of the road lies in the wall.
+  OccupancyGrid grid = walled(62, 62);
+  for (int row = 0; row < 62; ++row)
+    for (int column = 8; column < 62; ++column)
+      grid.cells[grid.frame.place({column, row})] = OccupancyGrid::kOccupied;
+  stope::testing::StageHarness stage(stope_stage_Detour());
+  stage.input("grid", grid)
+      .input("roads", draw_roads({{{2, 5}, {60, 5}}}))
+      .set("min_distance", 1.0);
+  stage.apply<Measures>();
+  std::string all;
+  for (const std::string& sentence : stage.context().sentences) all += sentence + "\n";
+  EXPECT_NE(all.find("of 200 pairs could be judged"), std::string::npos) << all;
+}
+
 TEST(Detour, GeodesicsThatKeepAwayAreLonger) {
   // A corridor of 6 m round a square. Ways that stay 2.5 m away turn on arcs, not at its corners.
   OccupancyGrid grid = walled(220, 220, 0.1);

@@ -90,6 +90,37 @@ TEST(OthersRoutes, WhatARoadGraphCannotHoldIsNamed) {
   EXPECT_NE(all.find("1 features are neither points nor lines"), std::string::npos);
 }
 
+TEST(OthersRoutes, ALimitThatIsNoSpeedIsNamedAndLeftOut) {
+  for (const double limit : {0.0, -8.0}) {
+    json link = edge(1, 10, 11);
+    link["properties"]["metadata"] = {{"abs_speed_limit", limit}};
+    std::vector<std::string> sentences;
+    const RoadGraph roads =
+        read_route(collection({point(10, 0, 0), point(11, 1, 0), link}), &sentences);
+    EXPECT_TRUE(std::isnan(roads.edges.at(0).speed_limit));
+    EXPECT_NE(sentences.at(0).find("speed limits of 0 or less (1 times)"), std::string::npos);
+  }
+}
+
+TEST(OthersRoutes, AVersionOfStopeToComeIsRefused) {
+  json file = json::parse(collection({point(10, 0, 0), point(11, 1, 0), edge(1, 10, 11)}));
+  file["stope"] = {{"version", 99}, {"nodes", 2}, {"roads", 1}};
+  EXPECT_NE(read_error(file.dump(1)).find("version 99: this Stope reads 1 only"), std::string::npos)
+      << read_error(file.dump(1));
+  file["stope"].erase("version");
+  EXPECT_NE(read_error(file.dump(1)).find("has the version none"), std::string::npos);
+}
+
+TEST(OthersRoutes, PlacesOffThisWorldAndEndlessNumbersGiveShortErrors) {
+  const std::string far = read_error(collection({point(10, 1e308, 0)}));
+  EXPECT_NE(far.find("the position (1e+308, 0) is no place in metres"), std::string::npos) << far;
+  std::string text = collection({point(10, 0, 0)});
+  text.replace(text.find("0.0"), 3, "1" + std::string(5000, '0'));
+  const std::string endless = read_error(text);
+  EXPECT_FALSE(endless.empty());
+  EXPECT_LT(endless.size(), 500U);
+}
+
 TEST(OthersRoutes, WrongIdsAreNamedWithFeatureAndLine) {
   const json a = point(0, 0, 0), b = point(1, 1, 0);
   const auto error = [&](std::vector<json> features) { return read_error(collection(features)); };
