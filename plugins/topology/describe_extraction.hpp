@@ -24,7 +24,8 @@ void describe_extraction(About<Stage>& about) {
       .param("min_obstacle_area", &ExtractionParams::min_obstacle_area, "m^2", at_least(0.0),
              "Obstacles (4-connected, with what they enclose) smaller than this count as free.")
       .param("simplify", &ExtractionParams::simplify, "m", at_least(0.0),
-             "How far a simplified centre line may be off.")
+             "How far a simplified centre line may be off; never more than a quarter of its "
+             "clearance.")
       .param("occupied_threshold", &ExtractionParams::occupied_threshold, between(0.0, 1.0),
              "Least probability with which a cell is an obstacle.")
       .param("unknown_is_obstacle", &ExtractionParams::unknown_is_obstacle,

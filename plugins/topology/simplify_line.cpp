@@ -7,6 +7,8 @@
 namespace stope::topology {
 namespace {
 
+constexpr double kMostOfCircle = 0.25;  // that a simplified line may be off
+
 /// How far a point is off the stretch from a to b, and its distance off what is drawn along it.
 struct Offset {
   double place = 0, distance = 0;
@@ -60,10 +62,14 @@ std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, doubl
   while (!open.empty()) {
     const auto [first, last] = open.back();
     open.pop_back();
+    bool is_off = false;
     double largest = -1, most_excess = 0;
     std::size_t farthest = first, worst = first;
     for (std::size_t i = first + 1; i < last; ++i) {
       const Offset off = offset_from(points[i], points[first], points[last]);
+      // So much of its free circle is left that what is drawn is free along all of its length.
+      const double most = std::min(tolerance, kMostOfCircle * points[i].distance);
+      if (off.place > most) is_off = true;
       if (off.place > largest) largest = off.place, farthest = i;
       const double excess = off.distance - std::max(tolerance, distance_share * points[i].distance);
       if (excess > most_excess) most_excess = excess, worst = i;
@@ -71,7 +77,7 @@ std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, doubl
     const bool closed = first == 0 && last + 1 == points.size() &&
                         distance_between(points[first], points[last]) == 0;
     if (farthest == first) continue;
-    if (largest <= tolerance && !closed) {
+    if (!is_off && !closed) {
       if (worst == first) continue;
       farthest = worst;
     }

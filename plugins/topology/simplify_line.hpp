@@ -14,8 +14,9 @@ std::vector<LinePoint> smooth_line(const std::vector<LinePoint>& points, double 
 
 /// Leaves out points that lie within `tolerance` cells of the line without them (Ramer 1972;
 /// Douglas and Peucker 1973), and whose distance to the obstacle, drawn straight along it, is
-/// within `tolerance` or `distance_share` of itself, whichever is more. Ends stay; a ring keeps at
-/// least two points between them.
+/// within `tolerance` or `distance_share` of itself, whichever is more. No point is left out that
+/// is more than a quarter of its distance to the obstacle off: so the line stays in free space
+/// whatever the tolerance. Ends stay; a ring keeps at least two points between them.
 std::vector<LinePoint> simplify_line(const std::vector<LinePoint>& points, double tolerance,
                                      double distance_share = 1e9);
 
