@@ -93,7 +93,12 @@ inline void report_roads(const RoadGraph& roads, const ExtractionParams& params,
     return;
   }
   const std::string sentence =
-      fmt::format("the map has free cells but no road that can be extracted: {}", why);
+      roads.nodes.empty()
+          ? fmt::format("the map has free cells but no road that can be extracted: {}", why)
+          : fmt::format(
+                "the map has free cells but no road that can be extracted: it has {} open {}, and "
+                "no way from one to another or into a dead end; {}",
+                roads.nodes.size(), roads.nodes.size() == 1 ? "place" : "places", why);
   if (!params.allow_empty)
     throw Error(sentence + " (with allow_empty: true a graph without roads is passed on)");
   context.warn(sentence);
