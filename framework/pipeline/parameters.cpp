@@ -61,8 +61,8 @@ class Block {
         if (const StageRecord* member = catalogue_.find(id))
           if (has_parameter(member->info, entry.key)) owners.push_back(id);
       if (!owners.empty())
-        hint = fmt::format("{} has it: write '{}: {{{}: …}}' under params:.", quoted_list(owners),
-                           owners[0], entry.key);
+        hint = fmt::format("{} {} it: write '{}: {{{}: …}}' under params:.", quoted_list(owners),
+                           owners.size() == 1 ? "has" : "have", owners[0], entry.key);
     }
     diagnostics_.error(
         code::kUnknownParameter, entry.place,

@@ -184,11 +184,28 @@ class Wiring {
                        reader_.wires.empty() ? hint : joined(hint, fitting(stage_)));
   }
 
+  /// The stages that read this one, directly or through others, by place: reading one would close a
+  /// ring.
+  std::vector<bool> downstream() const {
+    std::vector<bool> below(drafts_.size(), false);
+    below[stage_] = true;
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (std::size_t i = 0; i < drafts_.size(); ++i) {
+        if (below[i]) continue;
+        for (const Wire& wire : drafts_[i].wires)
+          if (wire.producer && below[*wire.producer]) below[i] = grown = true;
+      }
+    }
+    return below;
+  }
+
   // What in the pipeline gives the input's type, as people would write it.
   std::vector<std::string> sources_of(const PortInfo& input) const {
     std::vector<std::string> names;
+    const std::vector<bool> below = downstream();
     for (std::size_t i = 0; i < drafts_.size(); ++i) {
-      if (i == stage_ || drafts_[i].is_export || !drafts_[i].record) continue;
+      if (below[i] || drafts_[i].is_export || !drafts_[i].record) continue;
       const std::vector<PortInfo>& outputs = drafts_[i].record->info.outputs;
       for (const PortInfo& output : outputs)
         if (same_payload(output, input))
