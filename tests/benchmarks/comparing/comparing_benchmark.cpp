@@ -1,4 +1,5 @@
 // What a comparison costs beside its parts, and what is lost when it is killed.
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -6,6 +7,8 @@
 #include "tests/benchmarks/comparing/shared_prefix.hpp"
 
 int main(int argc, char** argv) {
+  // Hours of figures must not be lost in a buffer if it is stopped.
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const std::string part = argc > 1 ? argv[1] : "all";
   const int times = argc > 2 ? std::atoi(argv[2]) : 0;
   bool good = true;
