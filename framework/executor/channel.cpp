@@ -27,6 +27,11 @@ void Channel::close() {
   if (reader_waits_.load()) reader_bell_.ring();
 }
 
+void Channel::break_off() {
+  broken_.store(true);
+  close();
+}
+
 AnyItem Channel::pop() {
   if (empty()) return {};
   AnyItem item = queue_.pop();

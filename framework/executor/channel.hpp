@@ -40,7 +40,11 @@ class Channel {
   void push(AnyItem item);
   /// Of the writer: there will be no more items.
   void close();
+  /// Of the writer: it failed, or could not go on, so that items are missing behind the last.
+  void break_off();
   bool closed() const { return closed_.load(); }
+  /// Of a closed channel: whether it was broken off.
+  bool broken() const { return broken_.load(); }
   /// Whether the reader has left; what is written is dropped from then on.
   bool abandoned() const { return abandoned_.load(); }
 
@@ -65,7 +69,7 @@ class Channel {
   ItemQueue queue_;
   std::atomic<std::size_t> capacity_;
   std::atomic<bool> reader_waits_{false}, writer_waits_{false};
-  std::atomic<bool> closed_{false}, abandoned_{false};
+  std::atomic<bool> closed_{false}, broken_{false}, abandoned_{false};
   std::atomic<std::uint32_t> growths_{0};
   Process& writer_;
   Process& reader_;

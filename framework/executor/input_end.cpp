@@ -8,9 +8,16 @@ AnyItem InputEnd::next() {
   if (!channel_) return {};
   if (process_.stopping()) throw Cancelled();
   AnyItem item = try_next();
-  if (item || ended()) return item;
-  process_.wait_to_read(*channel_);
-  return try_next();
+  if (!item && !ended()) {
+    process_.wait_to_read(*channel_);
+    item = try_next();
+  }
+  if (!item) require_whole();
+  return item;
+}
+
+void InputEnd::require_whole() const {
+  if (channel_ && channel_->broken()) process_.give_up();
 }
 
 AnyItem InputEnd::try_next() {

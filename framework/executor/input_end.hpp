@@ -24,6 +24,8 @@ class InputEnd final : public InputPort {
   AnyItem try_next();
   /// Whether all items have been read and no more will come. Once true, it stays so.
   bool ended() const { return !channel_ || (channel_->closed() && channel_->empty()); }
+  /// Once it has ended: lets the process end, too, if its writer failed and items are missing.
+  void require_whole() const;
 
   /// The process reads no more.
   void leave();

@@ -115,7 +115,11 @@ AnyItem MapProcess::next(InputEnd& input) {
   for (;;) {
     if (stopping()) throw Cancelled();
     AnyItem item = input.try_next();
-    if (item || input.ended()) return item;
+    if (item) return item;
+    if (input.ended()) {
+      input.require_whole();
+      return {};
+    }
     if (write_done()) continue;
     if (window_->empty()) {
       wait_to_read(*input.channel());

@@ -103,4 +103,8 @@ void OutputEnd::close() {
   for (Channel* channel : channels_) channel->close();
 }
 
+void OutputEnd::break_off() {
+  for (Channel* channel : channels_) channel->break_off();
+}
+
 }  // namespace stope

@@ -41,6 +41,8 @@ class OutputEnd final : public OutputPort {
   std::string last_text() const;
   /// There will be no more items.
   void close();
+  /// The same, and some are missing.
+  void break_off();
   std::uint64_t items() const { return items_.load(std::memory_order_relaxed); }
 
  private:

@@ -39,20 +39,34 @@ void Process::live() {
 }
 
 void Process::settle(const Outcome& outcome) {
+  const bool whole = succeeded(outcome);
+  for (const auto& output : outputs_) {
+    if (whole)
+      output->close();
+    else
+      output->break_off();
+  }
+  for (const auto& input : inputs_) input->leave();
+}
+
+bool Process::succeeded(const Outcome& outcome) {
   if (outcome.kind == Outcome::Kind::kFailed) {
     fail(place_text(), outcome.sentence);
-  } else if (outcome.kind == Outcome::Kind::kCancelled) {
+    return false;
+  }
+  if (outcome.kind == Outcome::Kind::kCancelled) {
     if (!stopping() && !gave_up_)
       fail(place_text(), "it gave up as if the run had been cancelled, which it was not");
-  } else {
-    for (const auto& output : outputs_) {
-      if (!output->stream() && output->wanted() && !output->given())
-        fail("", fmt::format("it ended without setting its output \"{}\", which is read",
-                             output->name()));
-    }
+    return false;
   }
-  for (const auto& output : outputs_) output->close();
-  for (const auto& input : inputs_) input->leave();
+  bool all_set = true;
+  for (const auto& output : outputs_) {
+    if (output->stream() || !output->wanted() || output->given()) continue;
+    all_set = false;
+    fail("",
+         fmt::format("it ended without setting its output \"{}\", which is read", output->name()));
+  }
+  return all_set;
 }
 
 void Process::fail(const std::string& where, const std::string& what) {

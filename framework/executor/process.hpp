@@ -45,7 +45,8 @@ class Process {
   /// run stops.
   void wait_to_read(Channel& channel);
   void wait_to_write(Channel& channel);
-  /// Of its own thread: everyone who could read what it writes has left. Ends it.
+  /// Of its own thread: everyone who could read what it writes has left, or what it reads was
+  /// broken off. Ends it; that is no failure of its own.
   [[noreturn]] void give_up();
 
   /// Where it waits, for the WaitGraph.
@@ -73,7 +74,8 @@ class Process {
   /// Of its own thread, when its life is over: lets go of payloads it still holds.
   virtual void release() {}
 
-  /// Stops the run with a sentence that names the stage and `where`, such as `at item 3 (1.200 s)`.
+  /// Tells the run of an error, in a sentence that names the stage and `where`, such as `at item 3
+  /// (1.200 s)`.
   void fail(const std::string& where, const std::string& what);
   /// Wakes the writers of its inputs that wait for half empty channels. Before any sleep.
   void wake_writers();
@@ -82,6 +84,8 @@ class Process {
  private:
   void live();
   void settle(const Outcome& outcome);
+  /// Whether it did all it was there for; tells if it failed.
+  bool succeeded(const Outcome& outcome);
   /// Where it is, for its errors: at the item it read, or after the one it wrote.
   std::string place_text() const;
 

@@ -40,7 +40,7 @@ RunRecord run_plan(const Plan& plan, const Catalogue& catalogue, const std::vect
   const Trace::Clock::time_point begin = Trace::Clock::now();
   const std::size_t processes = count_processes(plan, sinks);
   RunRecord record;
-  RunState state;
+  RunState state(options.go_on_after_failure);
   {
     ScratchFolder scratch(options.scratch);
     set_allocator_up();
@@ -63,9 +63,7 @@ RunRecord run_plan(const Plan& plan, const Catalogue& catalogue, const std::vect
     store.close();
     store.record(record);
   }
-  record.end = state.end();
-  record.sentence = state.sentence();
-  record.failed_stage = state.failed_stage();
+  state.record(record);
   record.wall =
       std::chrono::duration_cast<std::chrono::nanoseconds>(Trace::Clock::now() - begin).count();
   return record;

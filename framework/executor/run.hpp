@@ -33,6 +33,9 @@ struct RunOptions {
   std::filesystem::path
       scratch;  ///< a folder for spilled payloads and temporary folders, removed after
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C
+  /// Whether stages that do not depend on one that failed are still run to their end; else the
+  /// first failure stops all. What depends on it is given nothing more and ends.
+  bool go_on_after_failure = false;
 };
 
 /// What a run tells while it goes on. Called from many threads, one call at a time for each method.

@@ -36,11 +36,19 @@ struct ChannelRecord {
   std::uint32_t growths = 0;  ///< times it doubled to resolve an artificial deadlock
 };
 
+/// What went wrong in a stage or a sink.
+struct StageFailure {
+  std::string stage;     ///< empty: of the run itself
+  std::string sentence;  ///< names stage, item, time and what went wrong
+};
+
 /// How a run went.
 struct RunRecord {
   enum class End : std::uint8_t { kDone, kFailed, kCancelled } end = End::kDone;
-  std::string sentence;  ///< of a failure: stage, item, time and what went wrong
+  std::string sentence;  ///< of the first failure: stage, item, time and what went wrong
   std::string failed_stage;
+  std::vector<StageFailure> failures;  ///< one, or all of a run that goes on after a failure
+  bool stopped = false;   ///< whether it ended before all was done that did not depend on a failure
   std::int64_t wall = 0;  ///< ns
   std::vector<ProcessRecord> processes;
   std::vector<ChannelRecord> channels;

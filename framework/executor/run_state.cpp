@@ -3,36 +3,41 @@
 namespace stope {
 
 void RunState::fail(const std::string& stage, const std::string& sentence) {
-  stop(RunRecord::End::kFailed, stage, sentence);
-}
-
-void RunState::cancel() { stop(RunRecord::End::kCancelled, {}, {}); }
-
-void RunState::stop(RunRecord::End end, const std::string& stage, const std::string& sentence) {
   {
     const std::lock_guard lock(mutex_);
-    if (end_ != RunRecord::End::kDone) return;
-    end_ = end;
-    failed_stage_ = stage;
-    sentence_ = sentence;
+    if (stopping()) return;
+    failures_.push_back({stage, sentence});
+    if (go_on_ && !stage.empty()) return;
+    stopping_.store(true);
   }
-  stopping_.store(true);
+  wake_all();
+}
+
+void RunState::cancel() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (stopping()) return;
+    cancelled_ = true;
+    stopping_.store(true);
+  }
+  wake_all();
+}
+
+void RunState::wake_all() {
   for (Doorbell* doorbell : doorbells_) doorbell->ring();
 }
 
-RunRecord::End RunState::end() const {
+void RunState::record(RunRecord& record) const {
   const std::lock_guard lock(mutex_);
-  return end_;
-}
-
-std::string RunState::failed_stage() const {
-  const std::lock_guard lock(mutex_);
-  return failed_stage_;
-}
-
-std::string RunState::sentence() const {
-  const std::lock_guard lock(mutex_);
-  return sentence_;
+  record.failures = failures_;
+  record.stopped = stopping();
+  if (cancelled_) {
+    record.end = RunRecord::End::kCancelled;
+  } else if (!failures_.empty()) {
+    record.end = RunRecord::End::kFailed;
+    record.sentence = failures_.front().sentence;
+    record.failed_stage = failures_.front().stage;
+  }
 }
 
 }  // namespace stope

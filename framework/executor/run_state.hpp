@@ -13,28 +13,31 @@ namespace stope {
 /// Whether the run goes on, and if not, why. The first reason to stop is the one that counts.
 class RunState {
  public:
+  /// `go_on`: whether the failure of a stage leaves the others running.
+  explicit RunState(bool go_on) : go_on_(go_on) {}
+
   /// A process to wake when the run stops. Before the run begins.
   void add(Doorbell& doorbell) { doorbells_.push_back(&doorbell); }
 
   bool stopping() const { return stopping_.load(std::memory_order_acquire); }
-  /// Stops the run because of an error. `sentence` names stage, item and time.
+  /// An error. `sentence` names stage, item and time. Stops the run unless it is to go on; one of
+  /// the run itself, with no stage, always does.
   void fail(const std::string& stage, const std::string& sentence);
   /// Stops the run because someone asked for it.
   void cancel();
 
-  RunRecord::End end() const;
-  /// Of a failed run.
-  std::string failed_stage() const;
-  std::string sentence() const;
+  /// Fills in how the run ended.
+  void record(RunRecord& record) const;
 
  private:
-  void stop(RunRecord::End end, const std::string& stage, const std::string& sentence);
+  void wake_all();
 
+  const bool go_on_;
   std::atomic<bool> stopping_{false};
   std::vector<Doorbell*> doorbells_;
   mutable std::mutex mutex_;
-  RunRecord::End end_ = RunRecord::End::kDone;
-  std::string failed_stage_, sentence_;
+  bool cancelled_ = false;
+  std::vector<StageFailure> failures_;
 };
 
 }  // namespace stope

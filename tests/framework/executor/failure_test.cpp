@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -115,6 +116,73 @@ TEST(Failure, StreamsOfAMapMustRunInStep) {
   EXPECT_EQ(sentence(1, 1, true),
             "stage \"add\" failed at item 5 (2.000 s): its inputs do not run in step: \"a\" is at "
             "0.00000001 s, \"b\" at 2.000 s; streams that a map reads must carry equal stamps");
+}
+
+/// Two chains from one source, of which one fails in its third number.
+RunRecord run_two_chains(bool go_on, std::int64_t pause, std::vector<Number>& good,
+                         std::vector<Number>& bad, bool& bad_finished) {
+  PlanBuilder bench;
+  bench.options.go_on_after_failure = go_on;
+  bench.options.channel_capacity = 1;
+  bench.stage<Count>("count", {}, {{"count", std::int64_t{50}}})
+      .stage<Square>("broken", {{"number", "count.numbers"}},
+                     {{"fail_at", std::int64_t{3}}, {"pause_us", pause}})
+      .stage<Pass>("behind", {{"numbers", "broken.square"}})
+      .stage<Sum>("last", {{"numbers", "behind.same"}})
+      .stage<Pass>("other", {{"numbers", "count.numbers"}})
+      .stage<Sum>("sum", {{"numbers", "other.same"}})
+      .collect("sum.sum", good)
+      .collect("last.sum", bad);
+  bench.sinks[1].finish = [&] { bad_finished = true; };
+  return bench.run();
+}
+
+TEST(Failure, LeavesWhatDoesNotDependOnItRunningIfAsked) {
+  for (int time = 0; time < 10; ++time) {
+    std::vector<Number> good, bad;
+    bool bad_finished = false;
+    const RunRecord record = run_two_chains(true, time * 50, good, bad, bad_finished);
+    EXPECT_EQ(record.end, RunRecord::End::kFailed);
+    EXPECT_FALSE(record.stopped);
+    ASSERT_EQ(record.failures.size(), 1U) << "those behind it have not failed";
+    EXPECT_EQ(record.failures[0].stage, "broken");
+    EXPECT_EQ(record.failed_stage, "broken");
+    EXPECT_EQ(record.sentence, "stage \"broken\" failed at item 3 (0.00000004 s): cannot square 3");
+    ASSERT_EQ(good.size(), 1U);
+    EXPECT_EQ(good[0].value, 49 * 50 / 2);
+    EXPECT_TRUE(bad.empty()) << "a sum of what came before the failure would be wrong";
+    EXPECT_FALSE(bad_finished);
+  }
+}
+
+TEST(Failure, StopsAllIfNotAskedOtherwise) {
+  std::vector<Number> good, bad;
+  bool bad_finished = false;
+  const RunRecord record = run_two_chains(false, 0, good, bad, bad_finished);
+  EXPECT_EQ(record.end, RunRecord::End::kFailed);
+  EXPECT_TRUE(record.stopped);
+  EXPECT_EQ(record.failures.size(), 1U);
+  EXPECT_TRUE(bad.empty());
+  EXPECT_FALSE(bad_finished);
+}
+
+TEST(Failure, AllAreToldOfARunThatGoesOn) {
+  PlanBuilder bench;
+  bench.options.go_on_after_failure = true;
+  std::vector<Number> sum;
+  bench.stage<Count>("count")
+      .stage<Square>("one", {{"number", "count.numbers"}}, {{"fail_at", std::int64_t{3}}})
+      .stage<Square>("two", {{"number", "count.numbers"}}, {{"fail_at", std::int64_t{5}}})
+      .stage<Add>("both", {{"a", "one.square"}, {"b", "two.square"}})
+      .stage<Sum>("sum", {{"numbers", "both.sum"}})
+      .collect("sum.sum", sum)
+      .sink("count.numbers", [](const AnyItem&) { throw Error("the disk is gone"); });
+  const RunRecord record = bench.run();
+  std::vector<std::string> stages;
+  for (const StageFailure& failure : record.failures) stages.push_back(failure.stage);
+  std::sort(stages.begin(), stages.end());
+  EXPECT_EQ(stages, (std::vector<std::string>{"one", "sink of count.numbers", "two"}));
+  EXPECT_TRUE(sum.empty());
 }
 
 TEST(Failure, AStageThatCannotBeMadeIsNamed) {
