@@ -9,8 +9,10 @@
 #include "framework/cli/exit_code.hpp"
 #include "framework/cli/interrupt.hpp"
 #include "framework/cli/load_experiment.hpp"
+#include "framework/cli/load_pipeline.hpp"
 #include "framework/cli/progress_bars.hpp"
 #include "framework/cli/resources.hpp"
+#include "framework/compare/metric_check.hpp"
 #include "framework/compare/report/comparison_page.hpp"
 #include "framework/compare/run_comparison.hpp"
 
@@ -51,8 +53,15 @@ int compare_command(const Arguments& arguments) {
   options.version = STOPE_VERSION;
   options.command = arguments.command_line;
   ProgressBars narrator(false, arguments.quiet || arguments.json);
-  const Comparison comparison =
-      run_comparison({*loaded.experiment, *loaded.plan, *loaded.catalogue, options, narrator});
+  Comparison comparison;
+  try {
+    comparison =
+        run_comparison({*loaded.experiment, *loaded.plan, *loaded.catalogue, options, narrator});
+  } catch (const WrongExperiment& error) {
+    narrator.finish();
+    print_diagnostics(error.diagnostics(), arguments.json);
+    return kWrongArguments;
+  }
   narrator.finish();
   report::write_comparison_report(comparison);
   print_end(arguments, comparison);

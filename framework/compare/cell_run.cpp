@@ -33,6 +33,7 @@ struct CellRun::State {
 
   const Experiment& experiment;
   const PlannedArm& arm;
+  MetricCheck& metrics;
   Comparison& comparison;
   ComparedCell& cell;
   RunReport report;
@@ -48,6 +49,11 @@ struct CellRun::State {
     comparison.exclusions.push_back({comparison.arms[cell.arm].name,
                                      comparison.recordings[cell.recording].name,
                                      comparison.seeds[cell.seed], metric, sentence});
+  }
+
+  void check_metrics(const Measured& of) {
+    for (std::size_t i = 0; i < arm.metrics.size(); ++i)
+      if (arm.metrics[i] == of.source) metrics.look(cell.arm, cell.recording, i, *of.measures);
   }
 
   void read_measures() {
@@ -69,10 +75,11 @@ struct CellRun::State {
 };
 
 CellRun::CellRun(const Experiment& experiment, const PlannedArm& arm, const Catalogue& catalogue,
-                 RunFacts facts, Comparison& comparison, ComparedCell& cell)
+                 RunFacts facts, MetricCheck& metrics, Comparison& comparison, ComparedCell& cell)
     : state_(new State{
           experiment,
           arm,
+          metrics,
           comparison,
           cell,
           RunReport(*arm.plan, catalogue, std::move(facts), comparison.folder / cell.folder),
@@ -99,11 +106,13 @@ std::vector<Sink> CellRun::sinks() {
   std::vector<Sink> sinks = state_->report.sinks([](const PlannedSource&) { return false; });
   for (State::Measured& measured : state_->measured) {
     measured.measures.reset();
-    sinks.push_back(
-        {fmt::format("measures of {}", plan().stages[measured.source.stage].name),
-         measured.source,
-         [&measured](const AnyItem& item) { measured.measures = *Item<Measures>(item); },
-         {}});
+    sinks.push_back({fmt::format("measures of {}", plan().stages[measured.source.stage].name),
+                     measured.source,
+                     [this, &measured](const AnyItem& item) {
+                       measured.measures = *Item<Measures>(item);
+                       state_->check_metrics(measured);
+                     },
+                     {}});
   }
   return sinks;
 }

@@ -6,6 +6,7 @@
 
 #include "framework/compare/comparison.hpp"
 #include "framework/compare/experiment/experiment_plan.hpp"
+#include "framework/compare/metric_check.hpp"
 #include "framework/executor/run.hpp"
 #include "framework/report/run_facts.hpp"
 
@@ -17,7 +18,7 @@ class CellRun {
  public:
   /// All but `facts` must live as long as this. Throws Error if the folder cannot be written.
   CellRun(const Experiment& experiment, const PlannedArm& arm, const Catalogue& catalogue,
-          RunFacts facts, Comparison& comparison, ComparedCell& cell);
+          RunFacts facts, MetricCheck& metrics, Comparison& comparison, ComparedCell& cell);
   ~CellRun();
 
   ComparedCell& cell() const;

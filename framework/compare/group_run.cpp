@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <memory>
 #include <set>
@@ -45,15 +46,17 @@ class Narrator final : public RunObserver {
 /// The cells of one recording and seed that are pending. In it, arms are places in `cells_`.
 class GroupRun {
  public:
-  GroupRun(const CompareJob& job, std::size_t recording, std::size_t seed, Comparison& comparison)
-      : job_(job), comparison_(comparison), seed_(comparison.seeds[seed]) {
+  GroupRun(const CompareJob& job, std::size_t recording, std::size_t seed, MetricCheck& metrics,
+           Comparison& comparison)
+      : job_(job), metrics_(metrics), comparison_(comparison), seed_(comparison.seeds[seed]) {
     if (const auto& own = job.experiment.recordings[recording].seed) seed_ = *own;
     for (std::size_t arm = 0; arm < comparison.arms.size(); ++arm) {
       ComparedCell& cell = comparison.cell(arm, recording, seed);
       if (cell.status != CellStatus::kPending) continue;
       const PlannedArm& planned = job.plan.of(arm, recording);
       cells_.push_back(std::make_unique<CellRun>(job.experiment, planned, job.catalogue,
-                                                 facts_of(arm, recording), comparison, cell));
+                                                 facts_of(arm, recording), metrics, comparison,
+                                                 cell));
       names_.push_back(comparison.arms[arm].name);
     }
   }
@@ -66,21 +69,21 @@ class GroupRun {
     for (std::size_t arm = 0; arm < cells_.size(); ++arm)
       plans.push_back({names_[arm], &cells_[arm]->plan(), &keys[arm]});
     const MergedPlan all = merge_plans(plans);
+    // A run that was stopped, because a stage could not even be made, is repeated without its arms.
     while (failed_.size() < cells_.size()) {
       const MergedPlan merged = without_arms(all, failed_);
       Narrator narrator(job_.observer, merged, cells_);
       CachedRun cached(merged.plan, job_.catalogue, seed_, job_.options.cache, narrator,
                        job_.options.stop);
-      const RunRecord record = run(merged, cached);
+      RunRecord record = run(merged, cached);
       note_seconds(merged, cached, record);
+      metrics_.require_hope();
       if (record.end == RunRecord::End::kCancelled) return false;
-      if (!cached.complaint().empty())
-        job_.observer.log(LogLevel::kWarning, "", cached.complaint());
-      if (record.end == RunRecord::End::kDone) {
-        finish(merged, cached, record);
-        return true;
-      }
-      fail_owners(merged, record);
+      if (!cached.complaint().empty()) warn_of_store(cached.complaint());
+      if (record.end == RunRecord::End::kFailed) fail_owners(merged, record);
+      if (record.stopped) continue;
+      finish(merged, cached, std::move(record));
+      return true;
     }
     return true;
   }
@@ -116,9 +119,12 @@ class GroupRun {
     options.threads = job_.options.threads;
     options.memory = job_.options.memory;
     options.scratch = scratch_of(job_.options.folder);
-    options.stop = job_.options.stop;
+    options.go_on_after_failure = true;
+    std::atomic<bool> stop{false};
+    options.stop = &stop;
     return cached.run(
-        wanted, [&](const Reuse&) { return sinks(merged); }, options);
+        wanted, [&](const Reuse&) { return sinks(merged); }, options,
+        [&](const RunProgress&) { stop = stop || job_.stopping() || metrics_.hopeless(); });
   }
 
   std::vector<Sink> sinks(const MergedPlan& merged) {
@@ -135,7 +141,25 @@ class GroupRun {
     return all;
   }
 
-  void finish(const MergedPlan& merged, const CachedRun& cached, const RunRecord& record) {
+  // Once: a disk that is full is full for all that follow.
+  void warn_of_store(const std::string& complaint) {
+    constexpr const char* kWhat = "not all could be taken from the store or kept in it";
+    std::vector<std::string>& warnings = comparison_.warnings;
+    if (std::any_of(warnings.begin(), warnings.end(),
+                    [&](const std::string& warning) { return warning.starts_with(kWhat); }))
+      return;
+    warnings.push_back(fmt::format(
+        "{}: {}. The results are complete; some are computed again if this is gone on with", kWhat,
+        complaint));
+    job_.observer.log(LogLevel::kWarning, "", warnings.back());
+  }
+
+  // Of those that are left.
+  void finish(const MergedPlan& merged, const CachedRun& cached, RunRecord record) {
+    record.end = RunRecord::End::kDone;
+    record.sentence.clear();
+    record.failed_stage.clear();
+    record.failures.clear();
     for_each_left([&](std::size_t arm, CellRun& cell) {
       cell.cell().stages = cell_stages(merged, arm, cell.plan(), cached, record, seconds_);
       cell.finish(record_of_arm(merged, arm, names_[arm], cell.plan(), record),
@@ -152,26 +176,37 @@ class GroupRun {
     }
   }
 
+  // In the order of the plan, so that of several things that went wrong in an arm the same is told
+  // whichever came first.
   void fail_owners(const MergedPlan& merged, const RunRecord& record) {
-    std::vector<std::size_t> owners;
-    std::string stage = record.failed_stage;
-    for (std::size_t i = 0; i < merged.plan.stages.size(); ++i) {
-      if (merged.plan.stages[i].name != record.failed_stage) continue;
-      owners = merged.owners[i];
-      stage = merged.plan.stages[i].seed_name();
-    }
-    if (const auto sink = owner_of_sink_.find(record.failed_stage); sink != owner_of_sink_.end())
-      owners.push_back(sink->second);
-    if (owners.empty()) throw Error(record.sentence);
-    for (const std::size_t arm : owners) {
-      failed_.insert(arm);
-      RunRecord of_arm = record_of_arm(merged, arm, names_[arm], cells_[arm]->plan(), record);
-      of_arm.failed_stage = stage;
-      cells_[arm]->fail(of_arm);
-    }
+    const std::size_t before = failed_.size();
+    const auto failure_of = [&](const std::string& stage) {
+      return std::find_if(record.failures.begin(), record.failures.end(),
+                          [&](const StageFailure& failure) { return failure.stage == stage; });
+    };
+    for (std::size_t i = 0; i < merged.plan.stages.size(); ++i)
+      if (const auto failure = failure_of(merged.plan.stages[i].name);
+          failure != record.failures.end())
+        for (const std::size_t arm : merged.owners[i])
+          fail(merged, arm, merged.plan.stages[i].seed_name(), failure->sentence, record);
+    for (const auto& [sink, arm] : owner_of_sink_)
+      if (const auto failure = failure_of(sink); failure != record.failures.end())
+        fail(merged, arm, sink, failure->sentence, record);
+    if (failed_.size() == before) throw Error(record.sentence);
+  }
+
+  void fail(const MergedPlan& merged, std::size_t arm, const std::string& stage,
+            const std::string& sentence, const RunRecord& record) {
+    if (!failed_.insert(arm).second) return;
+    RunRecord of_arm = record_of_arm(merged, arm, names_[arm], cells_[arm]->plan(), record);
+    of_arm.failed_stage = stage;
+    of_arm.sentence = sentence;
+    of_arm.failures = {{stage, sentence}};
+    cells_[arm]->fail(of_arm);
   }
 
   const CompareJob& job_;
+  MetricCheck& metrics_;
   Comparison& comparison_;
   std::uint64_t seed_;
   std::vector<std::unique_ptr<CellRun>> cells_;
@@ -183,10 +218,10 @@ class GroupRun {
 
 }  // namespace
 
-bool run_group(const CompareJob& job, std::size_t recording, std::size_t seed,
+bool run_group(const CompareJob& job, std::size_t recording, std::size_t seed, MetricCheck& metrics,
                Comparison& comparison) {
   try {
-    return GroupRun(job, recording, seed, comparison).run();
+    return GroupRun(job, recording, seed, metrics, comparison).run();
   } catch (const Cancelled&) {
     return false;
   }

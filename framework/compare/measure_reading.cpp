@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "framework/compare/experiment/codes.hpp"
 #include "framework/pipeline/sentence.hpp"
 
 namespace stope {
@@ -22,31 +23,48 @@ std::string unit_text(const std::string& unit) {
 
 }  // namespace
 
+Figure find_figure(const ExperimentMetric& metric, const Measures& measures,
+                   const std::string& stage) {
+  Figure figure;
+  const auto found = std::find(measures.names.begin(), measures.names.end(), metric.measure);
+  const auto place = static_cast<std::size_t>(found - measures.names.begin());
+  if (found == measures.names.end() || place >= measures.values.size()) {
+    figure.wrong = code::kUnknownFigure;
+    figure.sentence = fmt::format("Stage '{}' gave no figure '{}'.", stage, shown(metric.measure));
+    figure.hint = did_you_mean(metric.measure, measures.names,
+                               measures.names.empty()
+                                   ? "It gave none at all."
+                                   : fmt::format("It gave {}.", quoted_list(measures.names)));
+    return figure;
+  }
+  figure.value = measures.values[place];
+  if (place < measures.units.size()) figure.unit = measures.units[place];
+  const Conversion delta = convert(metric.smallest_that_matters, figure.unit);
+  if (delta.value) {
+    figure.smallest_that_matters = *delta.value;
+  } else {
+    figure.wrong = code::kWrongUnitOfMatters;
+    figure.sentence =
+        fmt::format("The figure '{}' is {}, but the experiment says what matters of it in {}.",
+                    metric.measure, unit_text(figure.unit), metric.smallest_that_matters.unit);
+    figure.hint = !delta.hint.empty()   ? delta.hint
+                  : figure.unit.empty() ? "Write it without a unit."
+                                        : fmt::format("Write it in {}.", figure.unit);
+  }
+  return figure;
+}
+
 MeasureReading read_measure(const ExperimentMetric& metric, const std::optional<Measures>& measures,
                             ComparedMetric& compared) {
   if (!measures) return unusable(fmt::format("Stage '{}' gave no measures.", compared.stage));
-  const auto found = std::find(measures->names.begin(), measures->names.end(), metric.measure);
-  const auto place = static_cast<std::size_t>(found - measures->names.begin());
-  if (found == measures->names.end() || place >= measures->values.size())
-    return unusable(
-        joined(fmt::format("Stage '{}' gave no figure '{}'.", compared.stage, metric.measure),
-               did_you_mean(metric.measure, measures->names,
-                            fmt::format("It gave {}.", quoted_list(measures->names)))));
-  const std::string unit = place < measures->units.size() ? measures->units[place] : "";
-  const double value = measures->values[place];
-  if (!std::isfinite(value))
+  const Figure figure = find_figure(metric, *measures, compared.stage);
+  if (figure.wrong) return unusable(joined(figure.sentence, figure.hint));
+  compared.unit = figure.unit;
+  compared.smallest_that_matters = figure.smallest_that_matters;
+  if (!std::isfinite(figure.value))
     return unusable(fmt::format("The figure '{}' of stage '{}' is {}, which cannot be compared.",
-                                metric.measure, compared.stage, value));
-  const Conversion delta = convert(metric.smallest_that_matters, unit);
-  if (!delta.value)
-    return unusable(
-        joined(fmt::format("The figure '{}' is {}, but the experiment says what matters "
-                           "of it in {}.",
-                           metric.measure, unit_text(unit), metric.smallest_that_matters.unit),
-               delta.hint));
-  compared.unit = unit;
-  compared.smallest_that_matters = *delta.value;
-  return {value, {}};
+                                metric.measure, compared.stage, figure.value));
+  return {figure.value, {}};
 }
 
 }  // namespace stope

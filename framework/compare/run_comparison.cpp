@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <random>
 
 #include "framework/compare/arm_keys.hpp"
@@ -11,6 +12,7 @@
 #include "framework/compare/earlier_cells.hpp"
 #include "framework/compare/equal_arms.hpp"
 #include "framework/compare/group_run.hpp"
+#include "framework/compare/metric_check.hpp"
 #include "framework/compare/new_comparison.hpp"
 #include "framework/compare/timing.hpp"
 #include "framework/report/folder_lock.hpp"
@@ -26,13 +28,19 @@ std::string now() { return report::utc_text(std::chrono::system_clock::now()); }
 class ComparisonRun {
  public:
   explicit ComparisonRun(const CompareJob& job)
-      : job_(job), lock_(made(job.options.folder)), comparison_(new_comparison(job)) {
+      : job_(job),
+        lock_(made(job.options.folder)),
+        comparison_(new_comparison(job)),
+        metrics_(job.experiment, job.plan) {
     remove_scratch();
     const EarlierCells earlier(job_);
     comparison_.id = earlier.id();
     comparison_.started = now();
     name_keys();
     const std::size_t kept = earlier.take_over(comparison_);
+    for (const ComparedCell& cell : comparison_.cells)
+      for (std::size_t i = 0; i < cell.measures.size(); ++i)
+        if (std::isfinite(cell.measures[i])) metrics_.was_read(i);
     if (kept > 0)
       job_.observer.log(LogLevel::kInfo, "",
                         fmt::format("{} of {} runs were done before and are kept", kept,
@@ -89,7 +97,7 @@ class ComparisonRun {
       pending += comparison_.cell(arm, recording, seed).status == CellStatus::kPending ? 1 : 0;
     if (pending == 0) return true;
     const auto begin = std::chrono::steady_clock::now();
-    const bool done = !job_.stopping() && run_group(job_, recording, seed, comparison_);
+    const bool done = !job_.stopping() && run_group(job_, recording, seed, metrics_, comparison_);
     save();
     if (!done) return false;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -109,6 +117,7 @@ class ComparisonRun {
   const CompareJob& job_;
   report::FolderLock lock_;
   Comparison comparison_;
+  MetricCheck metrics_;
 };
 
 }  // namespace

@@ -102,6 +102,24 @@ TEST_F(Compare, WhatIsWrongIsAnExitCodeOfTwo) {
   EXPECT_FALSE(fs::exists(folder_.path() / "out"));
 }
 
+TEST_F(Compare, AMisspeltFigureStopsItBeforeTheSecondRecording) {
+  auto words = command("out");
+  std::string text = experiment();
+  text += "  detour: {from: detour, measure: detuor_p95, better: lower, matters: 0.02}\n";
+  write_file(folder_.path() / "e.yaml", text);
+  const auto result = stope(words);
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_NE(result.err.find("e.yaml:12:35: error[X010]: Stage 'detour' gave no figure "
+                            "'detuor_p95'. Did you mean 'detour_p95'?"),
+            std::string::npos)
+      << result.err;
+  EXPECT_FALSE(fs::exists(folder_.path() / "out/arms/voronoi/seed=2/2/run.json"));
+  // Corrected, it goes on, and only what measures was perhaps stopped.
+  text.replace(text.find("detuor"), 6, "detour");
+  write_file(folder_.path() / "e.yaml", text);
+  EXPECT_EQ(stope(words).exit_code, 0);
+}
+
 TEST_F(Compare, AFailedArmIsAnExitCodeOfOne) {
   std::string text = experiment();
   text.insert(text.find("recordings"),

@@ -13,5 +13,7 @@ inline constexpr const char* kNotANumber = "X006";
 inline constexpr const char* kUnknownMetricStage = "X007";
 inline constexpr const char* kNotMeasures = "X008";
 inline constexpr const char* kNothingToRun = "X009";
+inline constexpr const char* kUnknownFigure = "X010";
+inline constexpr const char* kWrongUnitOfMatters = "X011";
 
 }  // namespace stope::code

@@ -27,6 +27,7 @@ struct ExperimentMetric {
   std::string stage, port;  ///< who gives it; the port is empty if it goes without saying
   Place stage_place;
   std::string measure;  ///< its name in the Measures
+  Place measure_place, matters_place;
   Direction direction = Direction::kHigher;
   Quantity smallest_that_matters;
 };

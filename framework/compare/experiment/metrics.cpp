@@ -13,6 +13,7 @@
 namespace stope {
 namespace {
 
+constexpr const char* kForm = "Write 'name: {from: stage, better: higher, matters: 0.01}'.";
 const std::vector<std::string> kKeys{"from", "measure", "better", "matters"};
 
 class MetricReader {
@@ -22,6 +23,7 @@ class MetricReader {
 
   ExperimentMetric read() {
     metric_.name = metric_.measure = entry_.key;
+    metric_.measure_place = entry_.place;
     if (!entry_.value.is_map()) {
       diagnostics_.error(code::kWrongKind, entry_.value.place,
                          fmt::format("The metric '{}' must be a map, here stands {}.",
@@ -43,7 +45,10 @@ class MetricReader {
       metric_.stage_place = from->place;
     }
     if (entry_.value.find("measure"))
-      if (const LocatedNode* measure = text("measure", "")) metric_.measure = measure->text;
+      if (const LocatedNode* measure = text("measure", "")) {
+        metric_.measure = measure->text;
+        metric_.measure_place = measure->place;
+      }
     read_better();
     read_matters();
     return std::move(metric_);
@@ -76,6 +81,7 @@ class MetricReader {
     const LocatedNode* matters = text(
         "matters", "Write the smallest difference that matters to you, such as 'matters: 0.01'.");
     if (!matters) return;
+    metric_.matters_place = matters->place;
     const auto quantity = parse_quantity(matters->text);
     if (quantity && std::isfinite(quantity->number) && quantity->number >= 0)
       metric_.smallest_that_matters = *quantity;
@@ -97,7 +103,10 @@ std::vector<ExperimentMetric> read_metrics(const LocatedNode& node, Diagnostics&
   std::vector<ExperimentMetric> metrics;
   if (!node.is_map())
     diagnostics.error(code::kWrongKind, node.place,
-                      fmt::format("'metrics' must be a map, here stands {}.", kind_name(node)));
+                      fmt::format("'metrics' must be a map, here stands {}.", kind_name(node)),
+                      kForm);
+  else if (node.entries.empty())
+    diagnostics.error(code::kWrongKind, node.place, "'metrics' names no metric.", kForm);
   for (const LocatedEntry& entry : node.entries)
     metrics.push_back(MetricReader(entry, diagnostics).read());
   return metrics;

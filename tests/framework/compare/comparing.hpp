@@ -29,7 +29,7 @@ class ComparingTest : public FilesTest {
     options.folder = folder() / "out";
     options.threads = 2;
     options.memory = std::size_t{1} << 30;
-    options.cache.store = folder() / "store";
+    options.cache.store = folder() / store_;
     options.stop = stop;
     toy::executions.take();
     Comparison comparison = run_comparison({*experiment, *plan, catalogue_, options, log_});
@@ -42,6 +42,7 @@ class ComparingTest : public FilesTest {
     return read(folder() / "out/arms" / arm / recording / seed / "outputs/changed.txt");
   }
 
+  std::string store_ = "store";
   toy::ArmsCatalogue catalogue_;
   Log log_;
   std::map<std::string, int> ran_;  ///< how often stages ran in the last comparison

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "framework/compare/comparison_json.hpp"
+#include "framework/compare/metric_check.hpp"
 #include "framework/pipeline/check.hpp"
 #include "framework/report/run_report.hpp"
 #include "stope/error.hpp"
@@ -71,7 +72,20 @@ TEST_F(RunComparison, AFailingArmIsReportedAndTheOthersAreFinished) {
   EXPECT_EQ(made.exclusions.size(), 2U);
   EXPECT_EQ(made.cell(3, 0, 0).status, CellStatus::kDone);
   EXPECT_DOUBLE_EQ(made.cell(3, 0, 0).measures[0], 2 * made.cell(0, 0, 0).measures[0]);
-  EXPECT_LE(ran_["draw"], 3) << "once an attempt at most, if an arm fails before it is stored";
+  EXPECT_EQ(ran_, (Ran{{"draw", 1}, {"scale", 4}, {"mean", 2}, {"text", 2}}))
+      << "what failed stopped nothing of the others, and nothing was begun anew";
+}
+
+TEST_F(RunComparison, WhatFailsFirstInTheOrderOfThePlanIsTold) {
+  for (int time = 0; time < 5; ++time) {
+    std::filesystem::remove_all(folder() / "out");
+    const Comparison made =
+        compare(std::string("arms: {one: , broken: {change.fails: true, mean.use: toy/count, "
+                            "mean.fails: true, mean.in: draw}}\n"
+                            "metrics: {count: {from: mean, better: higher, matters: 1}}\n"));
+    EXPECT_EQ(made.cell(1, 0, 0).failed_stage, "change");
+    EXPECT_EQ(made.exclusions.size(), 1U);
+  }
 }
 
 TEST_F(RunComparison, IfASharedStageFailsAllItsArmsHaveFailed) {
@@ -122,27 +136,53 @@ TEST_F(RunComparison, CancelledItKeepsWhatIsDoneAndGoesOn) {
 TEST_F(RunComparison, AFigureThatIsNoNumberIsLeftOutWithTheReason) {
   const Comparison made = compare(
       "arms: {one: {change.use: toy/shift}, two: {change.use: toy/shift, change.spoils: true}}\n"
-      "metrics:\n"
-      "  mean: {from: mean, better: higher, matters: 0.1 m}\n"
-      "  number: {from: mean, measure: cuont, better: higher, matters: 1}\n"
-      "  length: {from: mean, measure: mean, better: higher, matters: 1 s}\n");
+      "metrics: {mean: {from: mean, better: higher, matters: 0.1 m}}\n");
   EXPECT_TRUE(std::isnan(made.cell(1, 0, 0).measures[0]));
   EXPECT_TRUE(std::isfinite(made.cell(0, 0, 0).measures[0]));
-  ASSERT_EQ(made.exclusions.size(), 5U);
-  std::string all;
-  for (const Exclusion& out : made.exclusions)
-    all += out.arm + " " + out.metric + ": " + out.sentence + "\n";
-  EXPECT_NE(
-      all.find("two mean: The figure 'mean' of stage 'mean' is nan, which cannot be compared."),
-      std::string::npos)
-      << all;
-  EXPECT_NE(all.find("one number: Stage 'mean' gave no figure 'cuont'. Did you mean 'count'?"),
-            std::string::npos)
-      << all;
-  EXPECT_NE(all.find("one length: The figure 'mean' is in m, but the experiment says what matters "
-                     "of it in s."),
-            std::string::npos)
-      << all;
+  ASSERT_EQ(made.exclusions.size(), 1U);
+  EXPECT_EQ(made.exclusions[0].arm, "two");
+  EXPECT_EQ(made.exclusions[0].metric, "mean");
+  EXPECT_EQ(made.exclusions[0].sentence,
+            "The figure 'mean' of stage 'mean' is nan, which cannot be compared.");
+}
+
+TEST_F(RunComparison, AFigureThatNoRunGivesStopsItAtTheFirstThatMeasures) {
+  const std::string recordings = "recordings: {cross: {draw.count: [2, 3, 4]}}\n";
+  try {
+    compare(kTwoArms + recordings +
+            "metrics:\n"
+            "  mean: {from: mean, better: higher, matters: 0.1 m}\n"
+            "  number: {from: mean, measure: cuont, better: higher, matters: 1}\n"
+            "  length: {from: mean, measure: mean, better: higher, matters: 1 s}\n");
+    FAIL() << "it was not stopped";
+  } catch (const WrongExperiment& error) {
+    ASSERT_EQ(error.diagnostics().size(), 2U) << error.what();
+    EXPECT_EQ(to_text(error.diagnostics()[0]).substr(folder().string().size()),
+              "/e.yaml:7:33: error[X010]: Stage 'mean' gave no figure 'cuont'. Did you mean "
+              "'count'?");
+    EXPECT_EQ(to_text(error.diagnostics()[1]).substr(folder().string().size()),
+              "/e.yaml:8:64: error[X011]: The figure 'mean' is in m, but the experiment says what "
+              "matters of it in s. Write it in m.");
+  }
+  EXPECT_EQ(toy::executions.take()["draw"], 1) << "the other recordings were not begun";
+  // What was computed is not lost on whoever corrects it.
+  compare(kTwoArms + recordings +
+          "metrics: {number: {from: mean, measure: count, better: higher, "
+          "matters: 1}}\n");
+  EXPECT_EQ(ran_["draw"], 2);
+  EXPECT_LE(ran_["scale"], 5) << "an arm's stage may have been stopped";
+}
+
+TEST_F(RunComparison, AFigureThatOnlySomeArmsGiveIsLeftOutOfTheOthers) {
+  // `count` gives no mean, whichever of the two arms comes first.
+  for (const std::string arms : {"arms: {one: , two: {mean.use: toy/count}}\n",
+                                 "arms: {two: {mean.use: toy/count}, one: }\n"}) {
+    std::filesystem::remove_all(folder() / "out");
+    const Comparison made = compare(arms + kMean);
+    ASSERT_EQ(made.exclusions.size(), 1U);
+    EXPECT_EQ(made.exclusions[0].arm, "two");
+    EXPECT_EQ(made.exclusions[0].sentence, "Stage 'mean' gave no figure 'mean'. It gave 'count'.");
+  }
 }
 
 TEST_F(RunComparison, EqualArmsAreSaidToBeEqualAndRunOnce) {
@@ -167,6 +207,19 @@ TEST_F(RunComparison, ARecordingThatAnArmLacksIsExcluded) {
   EXPECT_EQ(made.cell(0, 0, 0).status, CellStatus::kExcluded);
   EXPECT_EQ(made.cell(0, 1, 0).status, CellStatus::kDone);
   EXPECT_EQ(made.exclusions.size(), 2U);
+}
+
+TEST_F(RunComparison, AStoreThatCannotBeUsedIsWarnedOfOnceAndCostsNoResult) {
+  write("file", "");
+  store_ = "file/store";
+  const Comparison made = compare(std::string(kTwoArms) +
+                                  "recordings: {a: {draw.count: 2}, b: {draw.count: 3}}\n" + kMean);
+  ASSERT_EQ(made.warnings.size(), 1U);
+  EXPECT_TRUE(made.warnings[0].starts_with(
+      "not all could be taken from the store or kept in it: cannot make the store"))
+      << made.warnings[0];
+  EXPECT_TRUE(made.exclusions.empty());
+  EXPECT_EQ(measured_pairs(made, 1)[0].pairs.size(), 2U);
 }
 
 TEST_F(RunComparison, SeedsAndRecordingsMakeRunsOfTheirOwn) {

@@ -136,6 +136,24 @@ class Mean final : public Map<Measures(Numbers)> {
   }
 };
 
+/// Another measure, with another figure.
+class Number final : public Map<Measures(Numbers)> {
+ public:
+  struct Params {
+    bool fails = false;
+  } params;
+  static void describe(About<Number>& about) {
+    about.summary("Measures the number.")
+        .ports("numbers", "measures")
+        .param("fails", &Params::fails, "Whether it fails.");
+  }
+  Measures apply(const Numbers& numbers, Context&) const {
+    executions.add("count");
+    if (params.fails) throw Error("the fingers are too few");
+    return {{"count"}, {static_cast<double>(numbers.values.size())}, {""}, {""}};
+  }
+};
+
 class Text final : public Map<Artefact(Numbers)> {
  public:
   struct Params {
@@ -160,6 +178,7 @@ class ArmsCatalogue final : public Catalogue {
     add<Scale>("toy/scale");
     add<Shift>("toy/shift");
     add<Mean>("toy/mean");
+    add<Number>("toy/count");
     add<Text>("toy/text");
   }
   const std::vector<StageRecord>& stages() const override { return records_; }
