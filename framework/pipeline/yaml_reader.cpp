@@ -29,8 +29,10 @@ std::optional<LocatedNode> read_yaml(const SourceText& source, Diagnostics& diag
   }
   std::optional<LocatedNode> root = builder.take_root();
   if (!root || root->is_empty()) {
-    diagnostics.error(code::kEmptyFile, source.file(), "Nothing is written in this file.",
-                      "A pipeline begins with 'stope: 1' and lists its stages.");
+    diagnostics.error(
+        code::kEmptyFile, source.file(), "Nothing is written in this file.",
+        "A pipeline begins with 'stope: 1' and lists its stages; an experiment begins with "
+        "'stope_experiment: 1'.");
     return std::nullopt;
   }
   return root;

@@ -28,8 +28,9 @@ class ExperimentReader {
   Experiment read(const std::filesystem::path& file) {
     experiment_.file = file;
     experiment_.name = file.stem().string();
+    // What is no experiment of this version has other keys, and each would be complained of.
+    if (!check_version()) return std::move(experiment_);
     check_keys();
-    check_version();
     if (const LocatedNode* name = text("name")) experiment_.name = name->text;
     read_base();
     if (const LocatedNode* set = value("set"))
@@ -77,7 +78,7 @@ class ExperimentReader {
                            did_you_mean(entry.key, kKeys));
   }
 
-  void check_version() {
+  bool check_version() {
     const LocatedNode* version = value("stope_experiment");
     if (!version) {
       diagnostics_.error(code::kMissingKey, {root_.place.file, 0, 0},
@@ -91,7 +92,10 @@ class ExperimentReader {
       diagnostics_.error(code::kWrongVersion, version->place,
                          "This Stope reads version 1 of experiment files.",
                          "Write 'stope_experiment: 1'.");
+    } else {
+      return true;
     }
+    return false;
   }
 
   void read_base() {
@@ -106,8 +110,9 @@ class ExperimentReader {
     const LocatedNode* node =
         needed("arms", "Write 'name: {stage.use: family/name}' for each variant of the pipeline.");
     if (!node) return;
+    const bool right_so_far = !diagnostics_.has_errors();
     experiment_.arms = read_variants(*node, {"arm", true, false}, diagnostics_);
-    if (experiment_.arms.size() == 1 && node->entries.size() == 1)
+    if (experiment_.arms.size() == 1 && right_so_far && !diagnostics_.has_errors())
       diagnostics_.error(code::kTooFewArms, node->place,
                          "There is one arm, and nothing to compare it with.",
                          "Add an arm; one without changes is the pipeline as it is: 'base:'.");
@@ -139,8 +144,9 @@ class ExperimentReader {
     }
     if (!node->is_sequence() || node->items.empty())
       diagnostics_.error(code::kWrongKind, node->place,
-                         fmt::format("'seeds' must be a list, here stands {}.", kind_name(*node)),
-                         "Write 'seeds: [1, 2, 3]'.");
+                         fmt::format("'seeds' must be a list, here stands {}.",
+                                     node->is_sequence() ? "one without a seed" : kind_name(*node)),
+                         "Write 'seeds: [1, 2, 3]', or leave it out.");
     for (const LocatedNode& item : node->items) {
       const auto seed = seed_in(item, diagnostics_);
       if (!seed) continue;

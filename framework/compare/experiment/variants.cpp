@@ -34,6 +34,10 @@ class Reader {
           "Write 'name: {stage.parameter: value}'.");
       return {};
     }
+    if (node.entries.empty())
+      diagnostics_.error(code::kWrongKind, node.place,
+                         fmt::format("'{}s' names no {}.", kind_.one, kind_.one),
+                         "Write 'name: {stage.parameter: value}'.");
     for (const LocatedEntry& entry : node.entries) {
       if (entry.key == "cross") {
         add_cross(entry);

@@ -181,7 +181,48 @@ TEST_F(ExperimentTest, SeedsAreSaidInOnePlace) {
 
 TEST_F(ExperimentTest, APipelineIsNoExperiment) {
   EXPECT_FALSE(read_text("stope: 1\nstages: {}\n"));
-  EXPECT_NE(said_.find("This is a pipeline, not an experiment."), std::string::npos) << said_;
+  EXPECT_EQ(said_,
+            "e.yaml: error[P022]: This is a pipeline, not an experiment. An experiment begins with "
+            "'stope_experiment: 1' and names the pipeline under 'base:'.\n");
+  EXPECT_FALSE(read_text("stope_experiment: 2\nvariants: []\n"));
+  EXPECT_EQ(said_,
+            "e.yaml:1:19: error[P023]: This Stope reads version 1 of experiment files. Write "
+            "'stope_experiment: 1'.\n");
+}
+
+TEST_F(ExperimentTest, WhatIsEmptyIsSaidToBe) {
+  EXPECT_FALSE(
+      read_text("stope_experiment: 1\nbase: pit.yaml\narms: {}\nrecordings: {}\n"
+                "seeds: []\nmetrics: {}\n"));
+  EXPECT_EQ(said_,
+            "e.yaml:3:7: error[P020]: 'arms' names no arm. Write 'name: {stage.parameter: "
+            "value}'.\n"
+            "e.yaml:4:13: error[P020]: 'recordings' names no recording. Write 'name: "
+            "{stage.parameter: value}'.\n"
+            "e.yaml:5:8: error[P020]: 'seeds' must be a list, here stands one without a seed. "
+            "Write 'seeds: [1, 2, 3]', or leave it out.\n"
+            "e.yaml:6:10: error[P020]: 'metrics' names no metric. Write 'name: {from: stage, "
+            "better: higher, matters: 0.01}'.\n");
+  EXPECT_FALSE(read_text(std::string("stope_experiment: 1\nbase: pit.yaml\narms: []\n"
+                                     "recordings: [one]\n") +
+                         kMetrics));
+  EXPECT_EQ(said_,
+            "e.yaml:3:7: error[P020]: 'arms' must be a map, here stands a list. Write 'name: "
+            "{stage.parameter: value}'.\n"
+            "e.yaml:4:13: error[P020]: 'recordings' must be a map, here stands a list. Write "
+            "'name: {stage.parameter: value}'.\n");
+}
+
+TEST_F(ExperimentTest, ANameThatStandsTwiceIsAllThatIsSaidOfIt) {
+  EXPECT_FALSE(read_text(std::string("stope_experiment: 1\nbase: pit.yaml\n"
+                                     "arms: {one: , one: {a.b: 1}}\n"
+                                     "recordings: {pit: {seed: 1}, pit: {seed: 2}}\n") +
+                         kMetrics));
+  EXPECT_EQ(said_,
+            "e.yaml:3:15: error[P007]: The key 'one' stands here a second time; the first is at "
+            "e.yaml:3:8. Remove one of them.\n"
+            "e.yaml:4:30: error[P007]: The key 'pit' stands here a second time; the first is at "
+            "e.yaml:4:14. Remove one of them.\n");
 }
 
 TEST_F(ExperimentTest, CrossesEnd) {
