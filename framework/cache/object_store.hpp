@@ -39,7 +39,8 @@ struct StoreUsage {
 StoreUsage usage_of(const ObjectStore& store);
 
 /// Removes the objects that were longest not used until the store takes at most `limit` bytes.
-/// Also what writers that were killed left. One process at a time; others wait.
+/// Also what writers that were killed left, and journals of maps that were stopped a month ago and
+/// not gone on with. One process at a time; others wait.
 StoreUsage collect_garbage(const ObjectStore& store, std::uint64_t limit);
 
 /// Reads every object, removes those that are damaged and gives their number.

@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 
 /// A file in `new/` that nobody has written to for so long belongs to a process that was killed.
 constexpr auto kAbandoned = std::chrono::hours(24);
+/// A journal of a map that was stopped and not gone on with for so long will not be.
+constexpr auto kForgotten = std::chrono::hours(24 * 30);
 
 /// Held by the one process that removes objects.
 class StoreLock {
@@ -64,6 +66,12 @@ std::vector<ObjectFile> files_in(const fs::path& folder) {
   return files;
 }
 
+void remove_older(const fs::path& folder, std::chrono::hours age) {
+  std::error_code ignored;
+  for (const ObjectFile& file : files_in(folder))
+    if (file.used + age < fs::file_time_type::clock::now()) fs::remove(file.path, ignored);
+}
+
 std::optional<Digest> digest_of_name(const fs::path& file) {
   return digest_of_hex(file.parent_path().filename().string() + file.filename().string());
 }
@@ -82,8 +90,8 @@ StoreUsage usage_of(const ObjectStore& store) {
 StoreUsage collect_garbage(const ObjectStore& store, std::uint64_t limit) {
   const StoreLock lock(store.root());
   std::error_code ignored;
-  for (const ObjectFile& file : files_in(store.root() / "new"))
-    if (file.used + kAbandoned < fs::file_time_type::clock::now()) fs::remove(file.path, ignored);
+  remove_older(store.root() / "new", kAbandoned);
+  remove_older(store.root() / "partial", kForgotten);
   std::vector<ObjectFile> files = files_in(store.root() / "objects");
   std::sort(files.begin(), files.end(), [](const ObjectFile& a, const ObjectFile& b) {
     return std::tie(a.used, a.path) < std::tie(b.used, b.path);

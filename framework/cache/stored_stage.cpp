@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "framework/plugins/sdk_payloads.hpp"
 #include "stope/error.hpp"
 
 namespace stope {
@@ -15,18 +16,33 @@ namespace {
 /// follows.
 constexpr std::string_view kStored = "stored:", kResumed = "resumed:";
 
+/// What an output carries that nothing is asked of.
+struct Nothing {
+  static constexpr std::string_view kType = "stope/Nothing@1";
+  static constexpr void fields(auto&, auto&&) {}
+};
+
 /// Writes what the store holds of a stage's outputs, in the order of stamps.
 class StoredStage final : public StageInstance {
  public:
-  StoredStage(const PlannedStage& stage, const KeptStage& kept,
-              std::unique_ptr<StageInstance> original, ObjectStore& store,
-              std::atomic<bool>& damaged)
+  StoredStage(const PlannedStage& stage, const KeptStage& kept, const Catalogue& catalogue,
+              ObjectStore& store, std::atomic<bool>& damaged)
       : stage_(stage),
         kept_(kept),
-        original_(std::move(original)),
         store_(store),
         damaged_(damaged),
-        outputs_(stage.info.outputs.size(), nullptr) {}
+        outputs_(stage.info.outputs.size(), nullptr) {
+    for (std::size_t port = 0; port < stage.info.outputs.size(); ++port) {
+      const PortInfo& info = stage.info.outputs[port];
+      types_.push_back(kept.find(info) ? sdk_payload(info.type, info.layout)
+                                       : &payload_type<Nothing>());
+      if (types_.back()) continue;
+      // Only its plugin can read it. Others are not even opened, which is most of what a run that
+      // executes nothing would take.
+      if (!original_) original_ = catalogue.create(stage.info.id);
+      types_.back() = &original_->output_type(port);
+    }
+  }
 
   const StageInfo& info() const noexcept override { return stage_.info; }
   Outcome set_parameter(std::size_t, const ParameterValue&) noexcept override { return {}; }
@@ -35,7 +51,7 @@ class StoredStage final : public StageInstance {
     outputs_[place] = port;
   }
   const PayloadType& output_type(std::size_t place) const noexcept override {
-    return original_->output_type(place);
+    return *types_[place];
   }
   Outcome run(Context&) noexcept override {
     return guarded([&] {
@@ -66,7 +82,7 @@ class StoredStage final : public StageInstance {
   }
 
   void put(std::size_t port, const KeptItem& item) {
-    const PayloadType& type = original_->output_type(port);
+    const PayloadType& type = *types_[port];
     outputs_[port]->put_lazy(
         item.stamp, item.index,
         [&type, &store = store_, &damaged = damaged_, object = item.object, name = stage_.name] {
@@ -85,7 +101,8 @@ class StoredStage final : public StageInstance {
 
   const PlannedStage& stage_;
   const KeptStage& kept_;
-  std::unique_ptr<StageInstance> original_;
+  std::unique_ptr<StageInstance> original_;  ///< or none
+  std::vector<const PayloadType*> types_;    ///< by output
   ObjectStore& store_;
   std::atomic<bool>& damaged_;
   std::vector<OutputPort*> outputs_;
@@ -118,9 +135,8 @@ std::unique_ptr<StageInstance> ReusingCatalogue::create(std::string_view id) con
   std::from_chars(id.data() + begin, id.data() + id.size(), stage);
   if (resumed)
     return resume_map(catalogue_.create(plan_.stages[stage].info.id), reuse_.made[stage], store_);
-  return std::make_unique<StoredStage>(plan_.stages[stage], reuse_.stored[stage],
-                                       catalogue_.create(plan_.stages[stage].info.id), store_,
-                                       damaged_);
+  return std::make_unique<StoredStage>(plan_.stages[stage], reuse_.stored[stage], catalogue_,
+                                       store_, damaged_);
 }
 
 }  // namespace stope

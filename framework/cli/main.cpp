@@ -64,14 +64,19 @@ void add_threads_and_memory(CLI::App& command, stope::Arguments& arguments) {
            "Memory for the whole process, such as 2GiB (default: half of RAM, at least 64MiB)");
 }
 
-void add_run(CLI::App& command, stope::Arguments& arguments) {
-  add_pipeline(command, arguments);
+/// What a command that computes and leaves a folder has. `what` names it in the text of --out.
+void add_work(CLI::App& command, stope::Arguments& arguments, const std::string& what) {
   add_plugins(command, arguments);
-  command.add_option("--out", arguments.out,
-                     "The run's folder (default: out/<name of the pipeline file>)");
+  command.add_option("--out", arguments.out, what);
   add_threads_and_memory(command, arguments);
   add_store(command, arguments);
   add_store_limit(command, arguments);
+  command.add_flag("--quiet,-q", arguments.quiet, "Print warnings and errors only");
+}
+
+void add_run(CLI::App& command, stope::Arguments& arguments) {
+  add_pipeline(command, arguments);
+  add_work(command, arguments, "The run's folder (default: out/<name of the pipeline file>)");
   command.add_flag("--no-cache", arguments.no_cache, "Compute everything, keep nothing");
   command
       .add_option("--keep", arguments.keep,
@@ -84,21 +89,16 @@ void add_run(CLI::App& command, stope::Arguments& arguments) {
       .add_flag("--resume", arguments.resume,
                 "For long runs, from the first time on: keep all, so that a run that was "
                 "killed goes on after the last stage that ended")
-      ->excludes("--no-cache");
+      ->excludes("--no-cache")
+      ->excludes("--keep");
   command.add_option("--seed", arguments.seed, "Seed of everything random (default: 0)")
       ->check(CLI::NonNegativeNumber);
-  command.add_flag("--quiet,-q", arguments.quiet, "Print warnings and errors only");
 }
 
 void add_compare(CLI::App& command, stope::Arguments& arguments) {
   command.add_option("experiment", arguments.pipeline, "The experiment file")->required();
-  add_plugins(command, arguments);
-  command.add_option("--out", arguments.out,
-                     "The comparison's folder (default: out/<name of the experiment file>)");
-  add_threads_and_memory(command, arguments);
-  add_store(command, arguments);
-  add_store_limit(command, arguments);
-  command.add_flag("--quiet,-q", arguments.quiet, "Print warnings and errors only");
+  add_work(command, arguments,
+           "The comparison's folder (default: out/<name of the experiment file>)");
 }
 
 int dispatch(int argc, char** argv) {

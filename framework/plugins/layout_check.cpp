@@ -3,19 +3,13 @@
 #include <fmt/format.h>
 
 #include "framework/plugins/plugin_file.hpp"
-#include "stope/layout.hpp"
-#include "stope/payloads.hpp"
+#include "framework/plugins/sdk_payloads.hpp"
 
 namespace stope {
 
 namespace {
 
 constexpr std::string_view kSdkVendor = "stope/";
-
-template <class... Payloads>
-std::map<std::string, std::uint64_t> layouts_of() {
-  return {{std::string(Payloads::kType), layout_hash<Payloads>()}...};
-}
 
 void check_port(const StageInfo& stage, const PortInfo& port,
                 const std::map<std::string, std::uint64_t>& layouts) {
@@ -39,9 +33,9 @@ void check_port(const StageInfo& stage, const PortInfo& port,
 }  // namespace
 
 std::map<std::string, std::uint64_t> sdk_layouts() {
-  return layouts_of<Artefact, DistanceGrid, ElevationGrid, ImuSample, LabelGrid, LidarScan, LineSet,
-                    Measures, NavFix, OccupancyGrid, Path, PointCloud, PoseConstraint, PoseGraph,
-                    RegionMap, RoadGraph, StampedPose, Submap, Trajectory, VoxelMap>();
+  std::map<std::string, std::uint64_t> layouts;
+  for (const PayloadType* type : sdk_payloads()) layouts.emplace(type->name, type->layout);
+  return layouts;
 }
 
 void check_layouts(const Manifest& manifest, const std::map<std::string, std::uint64_t>& layouts) {

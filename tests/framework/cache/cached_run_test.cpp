@@ -53,6 +53,31 @@ class Fragile final : public Map<Number(Number)> {
   }
 };
 
+/// Gives something that every Stope can read.
+class Figure final : public Map<Measures(Number)> {
+ public:
+  struct Params {
+  } params;
+  static void describe(About<Figure>& about) { about.ports("number", "measures"); }
+  Measures apply(const Number& number, Context&) const {
+    return {{"number"}, {static_cast<double>(number.value)}, {""}, {""}};
+  }
+};
+
+/// Knows stages, but must not make one.
+class Closed final : public Catalogue {
+ public:
+  explicit Closed(const Catalogue& known) : known_(known) {}
+  const std::vector<StageRecord>& stages() const override { return known_.stages(); }
+  const StageRecord* find(std::string_view id) const override { return known_.find(id); }
+  std::unique_ptr<StageInstance> create(std::string_view id) const override {
+    throw Error("the plugin of " + std::string(id) + " was opened");
+  }
+
+ private:
+  const Catalogue& known_;
+};
+
 /// Takes note that it ran.
 class Effect final : public Stage {
  public:
@@ -315,6 +340,29 @@ TEST_F(CachedRunTest, AMapThatWasStoppedGoesOnWhereItWas) {
             (std::vector<std::int64_t>{0, 1, -7, 9, 16, 25, 36, 49, 64, 81}));
   EXPECT_EQ(Fragile::computed, 10 - made);
   EXPECT_TRUE(journal.items(key, "square").empty());
+}
+
+TEST_F(CachedRunTest, AnUnchangedRunOpensNoPlugin) {
+  PlanBuilder bench;
+  bench.stage<Count>("count")
+      .stage<Sum>("sum", {{"numbers", "count.numbers"}})
+      .stage<Figure>("figure", {{"number", "sum.sum"}});
+  const PlannedSource wanted = bench.source("figure.measures");
+  std::vector<double> figures;
+  const auto sinks = [&](const Reuse&) {
+    return std::vector<Sink>{
+        {"result",
+         wanted,
+         [&](const AnyItem& item) { figures.push_back(Item<Measures>(item)->values.at(0)); },
+         {}}};
+  };
+  CachedRun(bench.plan, bench.catalogue, 1, use_, bench.log).run({wanted}, sinks, bench.options);
+  const Closed closed(bench.catalogue);
+  CachedRun again(bench.plan, closed, 1, use_, bench.log);
+  const RunRecord record = again.run({wanted}, sinks, bench.options);
+  EXPECT_EQ(record.end, RunRecord::End::kDone) << record.sentence;
+  EXPECT_EQ(again.reuse().count(Fate::kRuns), 0U);
+  EXPECT_EQ(figures, (std::vector<double>{45, 45}));
 }
 
 TEST(ItemJournal, LeavesOutWhatWasTornAtTheEnd) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "framework/cache/item_journal.hpp"
 #include "stope/error.hpp"
 #include "stope/random.hpp"
 #include "stope/testing/memory_context.hpp"
@@ -133,6 +134,20 @@ TEST_F(ObjectStoreTest, RemovesWhatWasLongestNotUsed) {
   EXPECT_FALSE(store_.contains(old));
   EXPECT_TRUE(store_.contains(used));
   EXPECT_TRUE(store_.contains(recent));
+}
+
+TEST_F(ObjectStoreTest, JournalsThatNobodyGoesOnWithAreRemoved) {
+  const ItemJournal journal(store_.root());
+  ItemJournal(store_.root()).add({1, 2}, "grid", {10, 0, {3, 4}, 5});
+  ItemJournal(store_.root()).add({6, 7}, "grid", {10, 0, {3, 4}, 5});
+  for (const auto& file : fs::directory_iterator(store_.root() / "partial"))
+    if (file.path().filename().string().starts_with(Digest{1, 2}.text()))
+      fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(24 * 31));
+    else
+      fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(24 * 29));
+  collect_garbage(store_, 1 << 20);
+  EXPECT_TRUE(journal.items({1, 2}, "grid").empty());
+  EXPECT_EQ(journal.items({6, 7}, "grid").size(), 1U);
 }
 
 TEST_F(ObjectStoreTest, VerifyFindsDamageAndStrangers) {
