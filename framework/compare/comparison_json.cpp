@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "framework/compare/words.hpp"
 #include "stope/error.hpp"
 
 namespace stope {
@@ -16,16 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
 
-// In the order of the enumerators.
-constexpr std::array kDirections{"higher", "lower"};
-constexpr std::array kFates{"ran", "shared", "stored", "not_needed"};
-constexpr std::array kKinds{"picture", "geojson", "measures", "other"};
-constexpr std::array kStatuses{"pending", "done", "failed", "excluded"};
-
-template <class E, class Names>
-const char* name_of(E value, const Names& names) {
-  return names[static_cast<std::size_t>(value)];
-}
+using namespace words;
 
 template <class E, class Names>
 E value_of(const Json& json, const Names& names) {
@@ -86,7 +77,7 @@ Json metric_json(const ComparedMetric& metric) {
   return {{"name", metric.name},
           {"from", metric.stage},
           {"measure", metric.measure},
-          {"better", name_of(metric.direction, kDirections)},
+          {"better", word_for(metric.direction, kDirections)},
           {"matters", metric.smallest_that_matters},
           {"unit", metric.unit}};
 }
@@ -100,7 +91,7 @@ ComparedMetric read_metric(const Json& json) {
 Json stage_json(const CellStage& stage) {
   return {{"name", stage.name},
           {"use", stage.use},
-          {"fate", name_of(stage.fate, kFates)},
+          {"fate", word_for(stage.fate, kFates)},
           {"seconds", stage.seconds < 0 ? Json() : Json(stage.seconds)},
           {"items", stage.items}};
 }
@@ -115,7 +106,7 @@ Json artefact_json(const CellArtefact& artefact) {
           {"path", artefact.path},
           {"sha256", artefact.sha256},
           {"bytes", artefact.bytes},
-          {"kind", name_of(artefact.kind, kKinds)},
+          {"kind", word_for(artefact.kind, kKinds)},
           {"companion", artefact.companion}};
 }
 
@@ -133,7 +124,7 @@ Json cell_json(const Comparison& comparison, const ComparedCell& cell) {
   Json json{{"arm", comparison.arms[cell.arm].name},
             {"recording", comparison.recordings[cell.recording].name},
             {"seed", comparison.seeds[cell.seed]},
-            {"status", name_of(cell.status, kStatuses)}};
+            {"status", word_for(cell.status, kStatuses)}};
   if (!cell.sentence.empty()) json["sentence"] = cell.sentence;
   if (!cell.failed_stage.empty()) json["failed_stage"] = cell.failed_stage;
   json["key"] = cell.key;

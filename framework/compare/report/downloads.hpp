@@ -30,9 +30,4 @@ std::string timings_csv(const Comparison& comparison);
 /// What was found, and the figures it was found from.
 std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVerdicts>& verdicts);
 
-/// A word for programs: `better`, `no_difference_shown`…
-const char* name_of(Verdict verdict);
-const char* name_of(CellStatus status);
-const char* name_of(StageFate fate);
-
 }  // namespace stope::report

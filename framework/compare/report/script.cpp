@@ -13,7 +13,7 @@ const char* comparison_script() {
   const leftName = views.dataset.left;
 
   function make(tag, attributes, children) {
-    const svg = ['svg', 'path', 'title'].includes(tag);
+    const svg = ['svg', 'path', 'image', 'title'].includes(tag);
     const node = svg ? document.createElementNS('http://www.w3.org/2000/svg', tag)
                      : document.createElement(tag);
     for (const [name, value] of Object.entries(attributes || {})) node.setAttribute(name, value);
@@ -72,6 +72,13 @@ const char* comparison_script() {
   function overlay(name, drawn, arm) {
     const svg = make('svg', {viewBox: '0 0 1000 ' + drawn.height, role: 'img',
                              'aria-label': name + ': ' + leftName + ' and ' + arm});
+    if (drawn.map) {
+      const {held, transform, ...place} = drawn.map;
+      const image = make('image', {...place, preserveAspectRatio: 'none',
+                                   href: 'data:image/png;base64,' + data.maps[held]});
+      if (transform) image.setAttribute('transform', transform);
+      svg.append(image);
+    }
     const styles = ['common', 'only-left', 'only-right'];
     styles.forEach((style, i) => {
       if (drawn.parts[i]) svg.append(make('path', {class: style, d: drawn.parts[i]}));
@@ -82,7 +89,9 @@ const char* comparison_script() {
       key('only-right', 'only ' + arm + ' ' + drawn.lengths[2])]);
     const frame = make('div', {class: 'sheet'}, [svg]);
     return make('figure', {class: 'view map'},
-                [frame, caption(name, ['one line if within ' + drawn.tolerance + ' ', legend])]);
+                [frame, caption(name, ['one line if within ' + drawn.tolerance +
+                                       (drawn.map ? '; the map is that of ' + leftName : '') + ' ',
+                                       legend])]);
   }
 
   function show() {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "framework/compare/report/downloads.hpp"
+#include "framework/compare/words.hpp"
 
 namespace stope::report {
 namespace {
@@ -43,7 +44,7 @@ Csv& add_cell(Csv& csv, const Comparison& comparison, const ComparedCell& cell) 
   return csv.add(comparison.recordings[cell.recording].name)
       .add(std::uint64_t{comparison.seeds[cell.seed]})
       .add(comparison.arms[cell.arm].name)
-      .add(std::string(name_of(cell.status)));
+      .add(std::string(words::word_for(cell.status, words::kStatuses)));
 }
 
 const char* weight_name(const ComparedMeasure& measure) {
@@ -71,7 +72,7 @@ std::string verdicts_csv(const Comparison& comparison, const std::vector<ArmVerd
           .add(metric.unit)
           .add(std::string(metric.direction == Direction::kHigher ? "higher" : "lower"))
           .add(metric.smallest_that_matters)
-          .add(std::string(name_of(measure.verdict)))
+          .add(std::string(words::word_for(measure.verdict, words::kVerdicts)))
           .add(std::string(weight_name(measure)))
           .add(any ? measure.mean_difference : none)
           .add(any ? measure.interval.low : none)
@@ -107,7 +108,7 @@ std::string stage_times_csv(const Comparison& comparison) {
       add_cell(csv, comparison, cell)
           .add(stage.name)
           .add(stage.use)
-          .add(std::string(name_of(stage.fate)))
+          .add(std::string(words::word_for(stage.fate, words::kFates)))
           .add(stage.seconds < 0 ? std::nan("") : stage.seconds)
           .add(std::uint64_t{stage.items})
           .end_line();

@@ -3,6 +3,7 @@
 
 #include "framework/compare/report/downloads.hpp"
 #include "framework/compare/report/finding.hpp"
+#include "framework/compare/words.hpp"
 
 namespace stope::report {
 namespace {
@@ -22,7 +23,7 @@ Json metric_json(const ComparedMetric& metric) {
 
 Json measure_json(const ComparedMeasure& measure) {
   Json json{{"metric", measure.measure},
-            {"verdict", name_of(measure.verdict)},
+            {"verdict", words::word_for(measure.verdict, words::kVerdicts)},
             {"text", text_of(measure)},
             {"matters", measure.matters() && (measure.verdict == Verdict::kBetter ||
                                               measure.verdict == Verdict::kWorse)}};
@@ -53,7 +54,7 @@ Json run_json_of(const Comparison& comparison, const ComparedCell& cell) {
   return {{"recording", comparison.recordings[cell.recording].name},
           {"seed", comparison.seeds[cell.seed]},
           {"arm", comparison.arms[cell.arm].name},
-          {"status", name_of(cell.status)},
+          {"status", words::word_for(cell.status, words::kStatuses)},
           {"measures", measures}};
 }
 

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 
+#include "framework/compare/report/map_underlay.hpp"
 #include "framework/compare/report/overlay.hpp"
 #include "framework/report/draw/base64.hpp"
 #include "framework/report/page/html.hpp"
@@ -56,6 +59,7 @@ class ViewerData {
              {"outputs", outputs},
              {"cells", cells},
              {"pictures", pictures_},
+             {"maps", maps_},
              {"overlays", overlays_}};
     return !outputs.empty();
   }
@@ -93,6 +97,38 @@ class ViewerData {
         base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
   }
 
+  // Where the run's map lies on the sheet, and by which name it is held; null if it saved none.
+  Json map_under(const ComparedCell& cell, const Sheet& sheet) {
+    for (const CellArtefact& file : cell.artefacts) {
+      if (file.companion || !file.path.ends_with(".yaml")) continue;
+      const auto picture = std::find_if(
+          cell.artefacts.begin(), cell.artefacts.end(), [&](const CellArtefact& other) {
+            return other.companion && other.output == file.output && other.path.ends_with(".pgm");
+          });
+      if (picture == cell.artefacts.end()) continue;
+      // Equal pictures may lie in different places.
+      const std::string name = file.sha256 + picture->sha256;
+      const auto known = frames_.find(name);
+      const auto frame = known == frames_.end() ? hold_map(name, file) : known->second;
+      if (!frame) continue;
+      const Placement place = placement_of(*frame, sheet);
+      return {{"held", name},         {"x", place.x},           {"y", place.y},
+              {"width", place.width}, {"height", place.height}, {"transform", place.transform}};
+    }
+    return nullptr;
+  }
+
+  std::optional<GridFrame> hold_map(const std::string& name, const CellArtefact& yaml) {
+    auto& frame = frames_[name];
+    if (const auto map = read_map(comparison_.folder / yaml.path);
+        map && held_ + map->png.size() <= kMostPictures) {
+      held_ += map->png.size();
+      maps_[name] = base64(map->png);
+      frame = map->frame;
+    }
+    return frame;
+  }
+
   // The baseline's lines beside those of every arm, all arms on one sheet.
   void add_overlays(std::size_t recording, std::size_t seed) {
     std::map<std::string, std::map<std::size_t, Lines>> drawings;  // by output, by arm
@@ -106,12 +142,14 @@ class ViewerData {
       for (const auto& [arm, lines] : arms) all.push_back(lines);
       const Sheet sheet = sheet_for(all);
       if (sheet.extent.empty()) continue;
+      const Json map = map_under(comparison_.cell(comparison_.baseline, recording, seed), sheet);
       for (const auto& [arm, lines] : arms) {
         if (arm == comparison_.baseline) continue;
         const Overlay overlay = overlay_of(arms.at(comparison_.baseline), lines, sheet);
         overlays_[key(recording, seed, arm)][output] = {
             {"height", std::round(sheet.height)},
             {"tolerance", length_text(sheet.tolerance)},
+            {"map", map},
             {"parts", {overlay.common, overlay.only_first, overlay.only_second}},
             {"lengths",
              {length_text(overlay.metres_common), length_text(overlay.metres_first),
@@ -122,7 +160,8 @@ class ViewerData {
 
   const Comparison& comparison_;
   std::uint64_t held_ = 0;
-  Json pictures_ = Json::object(), overlays_ = Json::object(), json_;
+  std::map<std::string, std::optional<GridFrame>> frames_;  ///< of the maps, by name
+  Json pictures_ = Json::object(), maps_ = Json::object(), overlays_ = Json::object(), json_;
 };
 
 template <class Named>

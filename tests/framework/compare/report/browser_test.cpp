@@ -112,6 +112,26 @@ TEST_F(ComparisonInBrowser, ShowsTheLinesThatDiffer) {
   EXPECT_NEAR(length / all, 69.5 / (2 * (400 + 300) + 28.3), 0.002);
 }
 
+TEST_F(ComparisonInBrowser, ShowsTheMapUnderTheLines) {
+  open();
+  EXPECT_EQ(browser_.evaluate("document.querySelector('.sheet svg').firstChild.tagName"), "image");
+  EXPECT_EQ(browser_.evaluate("document.querySelectorAll('.sheet svg image').length"), 1);
+  // The map is 400 by 300 m from the ring's lower left corner, which is 20 m from the lines' own.
+  const auto box = [&](const std::string& what) {
+    return browser_.evaluate(
+        "(({x, y, width, height}) => [x, y, width, height])(document."
+        "querySelector('.sheet " +
+        what + "').getBBox())");
+  };
+  const auto map = box("image"), ring = box(".common");
+  const double units = ring[2].get<double>() / 420;
+  EXPECT_NEAR(map[0], ring[0].get<double>() + 20 * units, 0.2);
+  EXPECT_NEAR(map[1], ring[1].get<double>(), 0.2);
+  EXPECT_NEAR(map[2], 400 * units, 0.2);
+  EXPECT_NEAR(map[3], 300 * units, 0.2);
+  EXPECT_TRUE(browser_.complaints().empty());
+}
+
 TEST_F(ComparisonInBrowser, ShowsTheRecordingSeedAndArmThatAreChosen) {
   open();
   const auto right = [&] {

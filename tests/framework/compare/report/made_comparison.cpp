@@ -60,13 +60,21 @@ std::string picture(std::size_t arm, std::size_t recording) {
   return {bytes.begin(), bytes.end()};
 }
 
+/// A map of 100 by 75 cells of 4 m whose left half is an obstacle.
+std::string map_picture() {
+  std::string pgm = "P5\n100 75\n255\n";
+  for (int row = 0; row < 75; ++row) pgm += std::string(50, '\0') + std::string(50, '\xfe');
+  return pgm;
+}
+
 void add_file(Comparison& comparison, ComparedCell& cell, const std::string& output,
-              CellArtefact::Kind kind, const std::string& bytes) {
-  const std::string path = cell.folder + "/outputs/" + output;
+              CellArtefact::Kind kind, const std::string& bytes,
+              const std::string& companion = "") {
+  const std::string path = cell.folder + "/outputs/" + (companion.empty() ? output : companion);
   put(comparison.folder / path, bytes);
   // Not SHA-256, but as different as the bytes are.
   const std::string sum = fmt::format("{:064x}", std::hash<std::string>()(bytes));
-  cell.artefacts.push_back({output, path, sum, bytes.size(), kind, false});
+  cell.artefacts.push_back({output, path, sum, bytes.size(), kind, !companion.empty()});
 }
 
 }  // namespace
@@ -113,6 +121,9 @@ Comparison comparison_in(const std::filesystem::path& folder, const ComparisonSh
           add_file(made, cell, "roads.png", CellArtefact::Kind::kPicture, picture(arm, recording));
           add_file(made, cell, "roads.geojson", CellArtefact::Kind::kGeojson,
                    roads(arm, recording));
+          add_file(made, cell, "map.yaml", CellArtefact::Kind::kOther,
+                   "image: map.pgm\nresolution: 4\norigin: [0, 0, 0]\n");
+          add_file(made, cell, "map.yaml", CellArtefact::Kind::kOther, map_picture(), "map.pgm");
         }
         made.cells.push_back(cell);
       }
