@@ -33,10 +33,13 @@ class BestFirstSearch {
   /// A cheapest way from one of the sources to one of the targets. `ahead` gives what the way from
   /// a node to the nearest target costs at least, kNoWay if there is none. If
   /// `known.wanted(ahead)`, `known.follow(node, ahead, arcs)` lists arcs of a way on whose costs
-  /// make up `ahead`: the whole way, or else, with false, as far as it is free. O((V + E) log V).
+  /// make up `ahead`: the whole way, or else, with false, as far as it is free. A way that
+  /// costs more than `most` need not be found nor be the cheapest, and `ahead` may be anything too
+  /// high on it. O((V + E) log V).
   template <class Ahead, class Known = NoKnownWay>
   Way find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
-           const CostChanges& changes, const Ahead& ahead, Known&& known = {});
+           const CostChanges& changes, const Ahead& ahead, Known&& known = {},
+           WayCost most = kNoWay);
 
  private:
   struct Key {
@@ -62,7 +65,8 @@ class BestFirstSearch {
 
 template <class Ahead, class Known>
 Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
-                          const CostChanges& changes, const Ahead& ahead, Known&& known) {
+                          const CostChanges& changes, const Ahead& ahead, Known&& known,
+                          WayCost most) {
   Way way;
   labels_.clear();
   heap_.clear();
@@ -76,7 +80,7 @@ Way BestFirstSearch::find(std::span<const WayEnd> sources, std::span<const WayEn
     heap_.push({cost + rest, rest}, node);
   };
   for (const WayEnd& source : sources) reach(source.node, source.cost, kNoArc);
-  while (!heap_.empty() && heap_.top().key.whole < way.cost) {
+  while (!heap_.empty() && heap_.top().key.whole < way.cost && heap_.top().key.whole <= most) {
     const auto [key, node] = heap_.pop();
     const WayCost cost = labels_.cost(node);
     if (key.whole - key.ahead > cost) continue;  // stale

@@ -50,6 +50,13 @@ class ContractionHierarchy {
     std::span<const SearchArc> of(std::uint32_t rank) const {
       return std::span(arcs).subspan(first[rank], first[rank + 1] - first[rank]);
     }
+    /// Asks the memory for a node's arcs, which are to be looked at soon. Always inlined: g++ drops
+    /// calls of a function that does nothing else.
+    [[gnu::always_inline]] void fetch(std::uint32_t rank) const {
+      constexpr std::uint32_t kLine = 64 / sizeof(SearchArc);
+      for (std::uint32_t place = first[rank]; place < first[rank + 1]; place += kLine)
+        __builtin_prefetch(arcs.data() + place);
+    }
     /// The less important end of an arc.
     std::uint32_t lower_end(std::uint32_t place) const {
       const auto after = std::upper_bound(first.begin(), first.end(), place);

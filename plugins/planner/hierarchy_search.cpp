@@ -23,7 +23,8 @@ void list_chains(const ContractionHierarchy& hierarchy, std::span<const WayEnd> 
   }
 }
 
-HierarchySearch::HierarchySearch(const ContractionHierarchy& hierarchy) : hierarchy_(hierarchy) {
+HierarchySearch::HierarchySearch(const ContractionHierarchy& hierarchy, const Landmarks* landmarks)
+    : hierarchy_(hierarchy), landmarks_(landmarks) {
   forward_.labels.resize(hierarchy.node_count());
   backward_.labels.resize(hierarchy.node_count());
 }
@@ -61,16 +62,19 @@ void HierarchySearch::step(Side& side, const Side& other, const ContractionHiera
 }
 
 void HierarchySearch::climb(std::span<const WayEnd> sources, std::span<const WayEnd> targets) {
-  best_ = kNoWay;
   settled_ = 0;
-  if (hierarchy_.has_chains())
-    climb_chains(sources, targets);
-  else
-    climb_in_order_of_cost(sources, targets);
+  if (!hierarchy_.has_chains()) return climb_in_order_of_cost(sources, targets);
+  if (landmarks_ == nullptr) return climb_chains(sources, targets, nullptr);
+  Corridor corridor(hierarchy_, *landmarks_, sources, targets);
+  corridor.widen_until([&] {
+    climb_chains(sources, targets, &corridor);
+    return best_ <= corridor.most();
+  });
 }
 
 void HierarchySearch::climb_in_order_of_cost(std::span<const WayEnd> sources,
                                              std::span<const WayEnd> targets) {
+  best_ = kNoWay;
   start(forward_, sources);
   start(backward_, targets);
   const auto live = [this](const Side& side) {
@@ -89,10 +93,17 @@ void HierarchySearch::climb_in_order_of_cost(std::span<const WayEnd> sources,
 
 /// Where all nodes that can be come to stand in a chain, it is gone along once, without a heap: all
 /// nodes below have been looked at when a node's turn comes.
-void HierarchySearch::climb_chains(std::span<const WayEnd> sources,
-                                   std::span<const WayEnd> targets) {
-  list_chains(hierarchy_, sources, forward_.labels, forward_.chain);
-  list_chains(hierarchy_, targets, backward_.labels, backward_.chain);
+void HierarchySearch::climb_chains(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
+                                   const Corridor* corridor) {
+  best_ = kNoWay;
+  const auto list = [&](Side& side, std::span<const WayEnd> ends,
+                        const ContractionHierarchy::Half& half) {
+    list_chains(hierarchy_, ends, side.labels, side.chain);
+    if (corridor == nullptr) return;
+    std::erase_if(side.chain, [&](std::uint32_t rank) { return !corridor->is_worth(rank, half); });
+  };
+  list(forward_, sources, hierarchy_.up());
+  list(backward_, targets, hierarchy_.down());
   const auto relax = [this](Side& side, std::uint32_t rank,
                             const ContractionHierarchy::Half& half) {
     const WayCost cost = side.labels.cost(rank);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plugins/planner/contraction_hierarchy.hpp"
+#include "plugins/planner/corridor.hpp"
 #include "plugins/planner/route_query.hpp"
 #include "plugins/planner/search_labels.hpp"
 
@@ -15,11 +16,13 @@ void list_chains(const ContractionHierarchy& hierarchy, std::span<const WayEnd> 
                  SearchLabels& labels, std::vector<std::uint32_t>& chain);
 
 /// Cheapest ways in a graph whose costs have not changed: two searches that climb a contraction
-/// hierarchy, from the sources and from the targets, until they meet. Keeps a reference to it; one
-/// query at a time.
+/// hierarchy, from the sources and from the targets, until they meet. Keeps references; one query
+/// at a time.
 class HierarchySearch {
  public:
-  explicit HierarchySearch(const ContractionHierarchy& hierarchy);
+  /// With the hierarchy's landmarks_by_rank() dense networks are searched faster.
+  explicit HierarchySearch(const ContractionHierarchy& hierarchy,
+                           const Landmarks* landmarks = nullptr);
   /// A cheapest way from one of the sources to one of the targets.
   Way find(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
   /// What it costs, without the way itself.
@@ -36,9 +39,11 @@ class HierarchySearch {
             const ContractionHierarchy::Half& back);
   void climb(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
   void climb_in_order_of_cost(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
-  void climb_chains(std::span<const WayEnd> sources, std::span<const WayEnd> targets);
+  void climb_chains(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
+                    const Corridor* corridor);
 
   const ContractionHierarchy& hierarchy_;
+  const Landmarks* landmarks_;
   Side forward_, backward_;
   // Where the best way so far turns from climbing to descending.
   WayCost best_ = kNoWay;

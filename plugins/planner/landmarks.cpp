@@ -18,20 +18,27 @@ std::uint32_t shortened(WayCost cost) {
 
 Landmarks::Landmarks(const SearchGraph& graph, std::uint32_t count,
                      const std::function<void()>& pause)
-    : count_(std::min(count, graph.node_count())),
-      costs_(static_cast<std::size_t>(graph.node_count()) * count_) {
+    : Landmarks(
+          graph.node_count(), count,
+          [search = DijkstraSearch(graph)](std::uint32_t node, bool against) mutable {
+            return search.costs(node, against);
+          },
+          pause) {}
+
+Landmarks::Landmarks(std::uint32_t nodes, std::uint32_t count, const CostsOf& costs_of,
+                     const std::function<void()>& pause)
+    : count_(std::min(count, nodes)), costs_(static_cast<std::size_t>(nodes) * count_) {
   if (count_ == 0) return;
-  DijkstraSearch search(graph);
   // A node that no landmark so far is joined to is farther than any that one is.
-  std::vector<WayCost> nearest = search.costs(0);
+  std::vector<WayCost> nearest = costs_of(0, false);
   for (WayCost& cost : nearest)
     if (cost == kNoWay) cost = 0;  // the first landmark is of node 0's part
   for (std::uint32_t i = 0; i < count_; ++i) {
     pause();
     const auto landmark = static_cast<std::uint32_t>(
         std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
-    const std::vector<WayCost> from = search.costs(landmark), to = search.costs(landmark, true);
-    for (std::uint32_t node = 0; node < graph.node_count(); ++node) {
+    const std::vector<WayCost> from = costs_of(landmark, false), to = costs_of(landmark, true);
+    for (std::uint32_t node = 0; node < nodes; ++node) {
       costs_[static_cast<std::size_t>(node) * count_ + i] = {shortened(from[node]),
                                                              shortened(to[node])};
       const WayCost near = std::min(from[node], to[node]);

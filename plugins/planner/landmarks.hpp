@@ -20,10 +20,16 @@ class Landmarks {
     std::uint32_t from, to;  ///< landmark to node, node to landmark; kNoArc: no way, or too long
   };
 
+  /// What every node costs to reach from one, or (`against`) to come from to it.
+  using CostsOf = std::function<std::vector<WayCost>(std::uint32_t node, bool against)>;
+
   /// Takes landmarks one after the other, each the node farthest from those before it. Two full
   /// searches a landmark. Calls `pause` between them, which may throw to give up.
   Landmarks(
       const SearchGraph& graph, std::uint32_t count, const std::function<void()>& pause = [] {});
+  /// Likewise, of nodes numbered as `costs_of` has them.
+  Landmarks(std::uint32_t nodes, std::uint32_t count, const CostsOf& costs_of,
+            const std::function<void()>& pause);
 
   std::uint32_t count() const { return count_; }
   std::span<const Costs> of(std::uint32_t node) const {

@@ -4,8 +4,10 @@
 // the best over its arcs up, taken when it is first asked for and kept (Strasser and Zeitz, "A Fast
 // and Tight Heuristic for A* in Road Networks", 2021). A* with that bound (Hart, Nilsson and
 // Raphael 1968) looks around only where the old way, which it follows at once, is blocked. Nodes
-// with two neighbours are driven through without asking for a bound. Cost: the climb from the goal,
-// and for each node touched a climb through those not yet known.
+// with two neighbours are driven through without asking for a bound. In dense networks bounds are
+// taken within a Corridor alone, the narrower one of all but the longest detours once the old cost
+// is known; A* needs no other, as long as the way it finds costs no more than the corridor allows.
+// Cost: the climb from the goal, and for each node touched a climb through those not yet known.
 #include "plugins/planner/reroute_search.hpp"
 
 #include <algorithm>
@@ -16,27 +18,22 @@ namespace stope::planner {
 namespace {
 
 constexpr WayCost kUnreachable = kNoWay / 2;  // stays so when costs are added
+constexpr std::size_t kSoon = 3;  // nodes ahead of which the arcs are asked of the memory
 
 }  // namespace
 
-RerouteSearch::RerouteSearch(const SearchGraph& graph, const ContractionHierarchy& hierarchy)
-    : hierarchy_(hierarchy), search_(graph, true) {
+RerouteSearch::RerouteSearch(const SearchGraph& graph, const ContractionHierarchy& hierarchy,
+                             const Landmarks* landmarks)
+    : hierarchy_(hierarchy), search_(graph, true), landmarks_(landmarks) {
   for (SearchLabels* labels : {&down_, &ahead_}) labels->resize(graph.node_count());
+  for (std::uint32_t arc = 0; arc < graph.arc_count(); ++arc) detour_ += graph.arc(arc).cost;
+  detour_ /= std::max(1U, graph.arc_count());
 }
 
 void RerouteSearch::descend_from(std::span<const WayEnd> targets) {
-  const ContractionHierarchy::Half& half = hierarchy_.down();
   ahead_.clear();
-  if (hierarchy_.has_chains()) {
-    list_chains(hierarchy_, targets, down_, chain_);
-    for (const std::uint32_t rank : chain_) {
-      const WayCost cost = down_.cost(rank);
-      if (cost == kNoWay) continue;
-      for (std::uint32_t place = half.first[rank]; place < half.first[rank + 1]; ++place)
-        down_.lower_known(half.arcs[place].to, cost + half.arcs[place].cost, place);
-    }
-    return;
-  }
+  if (hierarchy_.has_chains()) return descend_chains(targets);
+  const ContractionHierarchy::Half& half = hierarchy_.down();
   down_.clear();
   down_heap_.clear();
   const auto reach = [this](std::uint32_t rank, WayCost cost, std::uint32_t place) {
@@ -53,6 +50,19 @@ void RerouteSearch::descend_from(std::span<const WayEnd> targets) {
   }
 }
 
+void RerouteSearch::descend_chains(std::span<const WayEnd> targets) {
+  const ContractionHierarchy::Half& half = hierarchy_.down();
+  list_chains(hierarchy_, targets, down_, chain_);
+  std::erase_if(chain_, [&](std::uint32_t rank) { return !is_worth(rank, half); });
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    if (i + kSoon < chain_.size()) half.fetch(chain_[i + kSoon]);
+    const WayCost cost = down_.cost(chain_[i]);
+    if (cost == kNoWay) continue;
+    for (std::uint32_t place = half.first[chain_[i]]; place < half.first[chain_[i] + 1]; ++place)
+      down_.lower_known(half.arcs[place].to, cost + half.arcs[place].cost, place);
+  }
+}
+
 /// The unchanged cost from a node to the nearest target; kNoWay if there is no way.
 WayCost RerouteSearch::ahead(std::uint32_t rank) {
   if (!ahead_.known(rank)) take_all_ahead(rank);
@@ -64,9 +74,16 @@ void RerouteSearch::take_all_ahead(std::uint32_t rank) {
   climb_.clear();
   if (hierarchy_.has_chains()) {
     for (std::uint32_t here = rank; here != kNoArc && !ahead_.known(here);
-         here = hierarchy_.next(here))
-      climb_.push_back(here);
-    for (; !climb_.empty(); climb_.pop_back()) take_ahead(climb_.back());
+         here = hierarchy_.next(here)) {
+      if (is_worth(here, hierarchy_.up()))
+        climb_.push_back(here);
+      else
+        ahead_.set(here, kUnreachable, kNoArc);
+    }
+    for (; !climb_.empty(); climb_.pop_back()) {
+      if (climb_.size() > kSoon) hierarchy_.up().fetch(climb_[climb_.size() - 1 - kSoon]);
+      take_ahead(climb_.back());
+    }
     return;
   }
   // Nodes wait on a stack until all that lie above them are known.
@@ -149,12 +166,38 @@ class RerouteSearch::OldWays {
   std::vector<std::uint32_t> pieces_;
 };
 
-Way RerouteSearch::find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
-                        const CostChanges& changes) {
+/// A cheapest way, if it costs no more than the corridor allows.
+Way RerouteSearch::search(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
+                          const CostChanges& changes) {
   descend_from(targets);
+  WayCost most = corridor_ ? corridor_->most() : kNoWay;
+  if (most != kNoWay) {
+    WayCost old = kNoWay;
+    for (const WayEnd& source : sources) {
+      const WayCost rest = ahead(hierarchy_.rank(source.node));
+      if (rest != kNoWay) old = std::min(old, source.cost + rest);
+    }
+    if (old > most) return {};
+    // Most detours are short.
+    most = std::min(most, old + old / 512 + detour_);
+    corridor_->narrow(most);
+  }
   return search_.find(
       sources, targets, changes,
-      [this](std::uint32_t node) { return ahead(hierarchy_.rank(node)); }, OldWays(*this, changes));
+      [this](std::uint32_t node) { return ahead(hierarchy_.rank(node)); }, OldWays(*this, changes),
+      most);
+}
+
+Way RerouteSearch::find(std::span<const WayEnd> sources, std::span<const WayEnd> targets,
+                        const CostChanges& changes) {
+  if (landmarks_ == nullptr) return search(sources, targets, changes);
+  corridor_.emplace(hierarchy_, *landmarks_, sources, targets);
+  Way way;
+  corridor_->widen_until([&] {
+    way = search(sources, targets, changes);
+    return way.cost <= corridor_->most();
+  });
+  return way;
 }
 
 }  // namespace stope::planner

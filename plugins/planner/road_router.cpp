@@ -33,6 +33,7 @@ struct RoadRouter::Searches {
   std::optional<Landmarks> landmarks;
   std::optional<LandmarkSearch> by_landmarks;
   std::optional<ContractionHierarchy> hierarchy;
+  std::optional<Landmarks> landmarks_by_rank;
   std::optional<HierarchySearch> by_hierarchy;
   std::optional<RerouteSearch> reroute;
 };
@@ -67,8 +68,11 @@ RoadRouter::RoadRouter(const RoadNetwork& network, RouteSearch search,
     for (const RoadNode& node : network.graph().nodes)
       places.push_back({static_cast<float>(node.x), static_cast<float>(node.y)});
     searches_->hierarchy.emplace(graph_, places, pause);
-    searches_->by_hierarchy.emplace(*searches_->hierarchy);
-    searches_->reroute.emplace(graph_, *searches_->hierarchy);
+    searches_->landmarks_by_rank = landmarks_by_rank(*searches_->hierarchy, pause);
+    const Landmarks* by_rank =
+        searches_->landmarks_by_rank ? &*searches_->landmarks_by_rank : nullptr;
+    searches_->by_hierarchy.emplace(*searches_->hierarchy, by_rank);
+    searches_->reroute.emplace(graph_, *searches_->hierarchy, by_rank);
   } else {
     searches_->plain.emplace(graph_);
   }

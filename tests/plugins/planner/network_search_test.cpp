@@ -4,6 +4,7 @@
 
 #include "plugins/planner/dijkstra_search.hpp"
 #include "plugins/planner/hierarchy_search.hpp"
+#include "plugins/planner/hierarchy_sweep.hpp"
 #include "plugins/planner/landmark_search.hpp"
 #include "plugins/planner/reroute_search.hpp"
 #include "stope/random.hpp"
@@ -84,7 +85,7 @@ void expect_sound(const SearchGraph& graph, const std::vector<WayEnd>& sources,
 
 TEST(NetworkSearch, AllFindWaysAsCheapAsRelaxationDoes) {
   Random random(3);
-  int found = 0, none = 0;
+  int found = 0, none = 0, corridors = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const auto nodes = static_cast<std::uint32_t>(1 + random.below(40));
     const SearchGraph graph(
@@ -99,9 +100,12 @@ TEST(NetworkSearch, AllFindWaysAsCheapAsRelaxationDoes) {
     const ContractionHierarchy hierarchy(graph, places);
     const Landmarks landmarks(graph, 5);
     DijkstraSearch dijkstra(graph);
-    HierarchySearch by_hierarchy(hierarchy);
+    const auto by_rank = landmarks_by_rank(hierarchy);
+    HierarchySearch by_hierarchy(hierarchy), in_corridor(hierarchy, by_rank ? &*by_rank : nullptr);
     RerouteSearch reroute(graph, hierarchy);
+    RerouteSearch reroute_in_corridor(graph, hierarchy, by_rank ? &*by_rank : nullptr);
     LandmarkSearch by_landmarks(graph, landmarks);
+    corridors += by_rank.has_value();
     for (int query = 0; query < 10; ++query) {
       const auto sources = random_ends(random, nodes), targets = random_ends(random, nodes);
       const CostChanges none_changed, changed = random_changes(random, graph);
@@ -110,8 +114,12 @@ TEST(NetworkSearch, AllFindWaysAsCheapAsRelaxationDoes) {
         ++(truth == kNoWay ? none : found);
         std::vector<Way> ways{dijkstra.find(sources, targets, *changes),
                               reroute.find(sources, targets, *changes),
+                              reroute_in_corridor.find(sources, targets, *changes),
                               by_landmarks.find(sources, targets, *changes)};
-        if (changes == &none_changed) ways.push_back(by_hierarchy.find(sources, targets));
+        if (changes == &none_changed) {
+          ways.push_back(by_hierarchy.find(sources, targets));
+          ways.push_back(in_corridor.find(sources, targets));
+        }
         for (const Way& way : ways) {
           ASSERT_EQ(way.cost, truth) << "trial " << trial << " search " << &way - ways.data();
           if (way.found()) expect_sound(graph, sources, targets, *changes, way);
@@ -121,6 +129,7 @@ TEST(NetworkSearch, AllFindWaysAsCheapAsRelaxationDoes) {
   }
   EXPECT_GT(found, 1000);
   EXPECT_GT(none, 500);
+  EXPECT_GT(corridors, 20);
 }
 
 // 10 000 pairs on each of three networks of some thousand nodes.
@@ -131,8 +140,10 @@ TEST(NetworkSearch, EveryOneOfManyWaysIsAsCheapAsDijkstras) {
     const ContractionHierarchy hierarchy(graph, network.places());
     const Landmarks landmarks(graph, 8);
     DijkstraSearch dijkstra(graph);
-    HierarchySearch by_hierarchy(hierarchy);
+    const auto by_rank = landmarks_by_rank(hierarchy);
+    HierarchySearch by_hierarchy(hierarchy), in_corridor(hierarchy, by_rank ? &*by_rank : nullptr);
     RerouteSearch reroute(graph, hierarchy);
+    RerouteSearch reroute_in_corridor(graph, hierarchy, by_rank ? &*by_rank : nullptr);
     LandmarkSearch by_landmarks(graph, landmarks);
     Random random(5);
     std::size_t wrong = 0;
@@ -144,17 +155,64 @@ TEST(NetworkSearch, EveryOneOfManyWaysIsAsCheapAsDijkstras) {
         const WayEnd to{static_cast<std::uint32_t>(random.below(graph.node_count())), 0};
         const Way way = by_hierarchy.find({&from, 1}, {&to, 1});
         wrong += way.cost != truth[to.node];
+        wrong += in_corridor.find({&from, 1}, {&to, 1}).cost != truth[to.node];
         wrong += by_landmarks.find({&from, 1}, {&to, 1}).cost != truth[to.node];
         if (k % 10 != 0 || way.arcs.empty()) continue;
         CostChanges changes;
         changes.block(way.arcs[way.arcs.size() / 2]);
         const WayCost round = dijkstra.find({&from, 1}, {&to, 1}, changes).cost;
         wrong += reroute.find({&from, 1}, {&to, 1}, changes).cost != round;
+        wrong += reroute_in_corridor.find({&from, 1}, {&to, 1}, changes).cost != round;
         wrong += by_landmarks.find({&from, 1}, {&to, 1}, changes).cost != round;
       }
     }
     EXPECT_EQ(wrong, 0U);
   }
+}
+
+TEST(NetworkSearch, ASweepTellsAllCostsThatDijkstrasDoes) {
+  // One whose hierarchy has chains, one without, one in two parts.
+  const std::vector<ArcBetween> two_parts{{0, 1, 5}, {1, 2, 7}, {2, 0, 1}, {3, 4, 2}};
+  TestNetwork apart;
+  apart.arcs = two_parts;
+  apart.x = apart.y = {0, 1, 2, 3, 4};
+  for (const TestNetwork& network : {lattice(30, 2, 2), road_like(20, 3), apart}) {
+    const SearchGraph graph = network.graph();
+    const ContractionHierarchy hierarchy(graph, network.places());
+    DijkstraSearch dijkstra(graph);
+    for (const std::uint32_t node : {0U, graph.node_count() / 2}) {
+      for (const bool against : {false, true}) {
+        const auto truth = dijkstra.costs(node, against);
+        const auto swept = sweep_costs(hierarchy, hierarchy.rank(node), against);
+        for (std::uint32_t other = 0; other < graph.node_count(); ++other)
+          ASSERT_EQ(swept[hierarchy.rank(other)], truth[other]) << node << " and " << other;
+      }
+    }
+  }
+}
+
+// The only other way is so long that no guess of a corridor holds it.
+TEST(NetworkSearch, ReroutingFindsTheLongestWayRound) {
+  TestNetwork network = lattice(40, 1, 1);
+  // A wall with one gate; it ends at the last row.
+  for (ArcBetween& arc : network.arcs) {
+    const std::uint32_t west = std::min(arc.from, arc.to), east = std::max(arc.from, arc.to);
+    const std::uint32_t row = west / 40;
+    if (west % 40 == 19 && east == west + 1 && row != 20 && row != 39) arc.cost = 100'000'000;
+  }
+  const SearchGraph graph = network.graph();
+  const ContractionHierarchy hierarchy(graph, network.places());
+  const auto by_rank = landmarks_by_rank(hierarchy);
+  ASSERT_TRUE(by_rank);
+  RerouteSearch reroute(graph, hierarchy, &*by_rank);
+  const WayEnd from{20 * 40 + 19, 0}, to{20 * 40 + 20, 0};
+  CostChanges changes;
+  for (std::uint32_t arc = 0; arc < graph.arc_count(); ++arc)
+    if (graph.source(arc) == from.node && graph.arc(arc).to == to.node) changes.block(arc);
+  EXPECT_EQ(reroute.find({&from, 1}, {&to, 1}, {}).cost, 10'000U);
+  const Way round = reroute.find({&from, 1}, {&to, 1}, changes);
+  EXPECT_EQ(round.cost, 39 * 10'000U);
+  expect_sound(graph, {from}, {to}, changes, round);
 }
 
 TEST(NetworkSearch, GivesTheSameWayEachTimeItIsAsked) {
