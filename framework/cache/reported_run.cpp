@@ -56,8 +56,9 @@ class Memory {
 
  private:
   std::string name_of(const PlannedSource& source) const {
-    // A port's name holds no blank.
-    return fmt::format("report of {}", plan_.stages[source.stage].info.outputs[source.port].name);
+    // A port's name holds no blank. What earlier Stopes drew, under another name, held pixels and
+    // cannot be read any more.
+    return fmt::format("drawn at {}", plan_.stages[source.stage].info.outputs[source.port].name);
   }
 
   std::vector<report::TapResult> what_is_known(const Reuse& reuse) {

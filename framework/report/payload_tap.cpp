@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "framework/report/draw/png.hpp"
+
 namespace stope::report {
 
 PayloadTap::PayloadTap(PlannedSource source, bool stream, bool digest, SketchFunction draw)
@@ -34,6 +36,10 @@ void PayloadTap::draw(const AnyItem& item) {
   Sketch sketch = draw_(item.payload->pin().get());
   sketch.index = item.index;
   sketch.stamp = item.stamp;
+  if (sketch.raster) {
+    sketch.raster->png = encode_png(sketch.raster->picture);
+    sketch.raster->picture.pixels = {};
+  }
   sketches_.push_back(std::move(sketch));
 }
 

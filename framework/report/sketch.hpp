@@ -46,9 +46,13 @@ struct Raster {
   GridFrame frame;  ///< of the grid that was drawn
   Picture picture;
   bool neutral = false;  ///< greys, which a dark page may invert
+  /// The picture as a file, once it is packed; it has no pixels any more then. To be kept, and read
+  /// again by each run that changes nothing, pixels would be twenty times as much.
+  std::vector<std::uint8_t> png = {};
   static constexpr void fields(auto& s, auto&& visit) {
     visit("frame", s.frame);
     visit("picture", s.picture);
+    visit("png", s.png);
     visit("neutral", s.neutral);
   }
 };

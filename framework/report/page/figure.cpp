@@ -74,7 +74,7 @@ class Drawing {
         "<image class=\"{}{}\" width=\"{:.0f}\" height=\"{:.2f}\" preserveAspectRatio=\"none\" "
         "href=\"data:image/png;base64,{}\"/>\n",
         raster.neutral ? "neutral" : "tinted", cells ? " cells" : "", kWidth, height_,
-        base64(encode_png(picture)));
+        base64(raster.png.empty() ? encode_png(picture) : raster.png));
   }
 
   void strokes(const Sketch& sketch, bool casing) {

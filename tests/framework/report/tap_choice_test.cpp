@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "framework/report/draw/png.hpp"
 #include "framework/report/payload_tap.hpp"
 #include "framework/report/port_name.hpp"
 #include "stope/payloads.hpp"
@@ -70,6 +71,24 @@ TEST(PayloadTap, TouchesOnlyTheFirstAndLastItemOfAStream) {
   ASSERT_EQ(tap.sketches().size(), 2U);
   EXPECT_EQ(tap.sketches()[0].index, 0U);
   EXPECT_EQ(tap.sketches()[1].index, 99U);
+}
+
+TEST(PayloadTap, PacksThePictureItDraws) {
+  int pins = 0;
+  const auto draw = [](const void*) {
+    Sketch sketch;
+    Raster raster;
+    raster.picture = {2, 1, {{1, 2, 3, 255}, {4, 5, 6, 255}}};
+    sketch.raster = raster;
+    return sketch;
+  };
+  PayloadTap tap({0, 0}, false, false, draw);
+  tap.take({0, 0, std::make_shared<CountingPayload>(pins)});
+  tap.finish();
+  const Raster& raster = tap.sketches().at(0).raster.value();
+  EXPECT_EQ(raster.png, encode_png({2, 1, {{1, 2, 3, 255}, {4, 5, 6, 255}}}));
+  EXPECT_TRUE(raster.picture.pixels.empty());
+  EXPECT_EQ(raster.picture.width, 2) << "the page asks how large it is";
 }
 
 }  // namespace
