@@ -15,6 +15,22 @@ extern "C" const stope::StageEntry* stope_stage_Smooth();
 namespace stope::testing {
 namespace {
 
+/// How a path is to drive: curvature and its change, squared, and lack of 3 m of clearance, as
+/// means over its metres.
+struct Comfort {
+  double metres = 0, bend = 0, steer = 0, lack = 0;
+  void add(const Path& path) {
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+      const PathPoint &a = path.points[i - 1], &b = path.points[i];
+      const double way = std::hypot(b.x - a.x, b.y - a.y);
+      metres += way;
+      bend += way * b.curvature * b.curvature;
+      steer += std::pow(b.curvature - a.curvature, 2) / std::max(way, 0.1);
+      lack += way * std::max(0.0, 3 - b.clearance);
+    }
+  }
+};
+
 /// The kind of a refusal: its words without the figures.
 std::string kind_of(const std::string& sentence) {
   for (const char* part :
@@ -93,6 +109,7 @@ void print_trials(const std::string& name, const std::vector<Trial>& trials) {
   std::map<std::string, int> reasons;
   std::vector<double> accepted, refused, ratios;
   int no_route = 0, violations = 0, stops = 0, cusps = 0, reversed = 0;
+  Comfort comfort;
   double least_clearance = 1e9, least_radius = 1e9, steepest = 0, kilometres = 0;
   for (const Trial& trial : trials) {
     if (trial.refused_by == "a_star") {
@@ -111,6 +128,7 @@ void print_trials(const std::string& name, const std::vector<Trial>& trials) {
     if (!trial.forwards.empty() && reversed++ < 3) fmt::print("  forwards: {}\n", trial.forwards);
     ratios.push_back(trial.path.length / trial.route_length);
     kilometres += trial.path.length / 1000;
+    comfort.add(trial.path);
     least_clearance = std::min(least_clearance, trial.clearance);
     least_radius = std::min(least_radius, trial.radius);
     if (trial.steepest > steepest) steepest = trial.steepest;
@@ -134,6 +152,13 @@ void print_trials(const std::string& name, const std::vector<Trial>& trials) {
       100 * steepest, stops, cusps, share_of(ratios, 0.5), share_of(accepted, 0.5),
       share_of(accepted, 0.95), share_of(accepted, 1), share_of(refused, 0.5), share_of(refused, 1),
       no_route);
+  if (comfort.metres > 0) {
+    fmt::print(
+        "  a metre's mean: curvature {:.5f} 1/m, change of curvature {:.6f} 1/m^2 (root mean "
+        "squares), {:.4f} m short of 3 m clearance\n",
+        std::sqrt(comfort.bend / comfort.metres), std::sqrt(comfort.steer / comfort.metres),
+        comfort.lack / comfort.metres);
+  }
   for (const auto& [reason, count] : reasons) fmt::print("  refused {}: {}\n", count, reason);
   for (const Trial& trial : trials) {
     if (trial.refused_by == "smooth") fmt::print("  {}\n", trial.sentence);
