@@ -211,8 +211,9 @@ ClearanceField::Value ClearanceField::at(double x, double y) const {
   const double u = std::clamp(at.x() - 0.5, 0.0, width_ - 1.001);
   const double v = std::clamp(at.y() - 0.5, 0.0, height_ - 1.001);
   const auto column = static_cast<std::int32_t>(u), row = static_cast<std::int32_t>(v);
-  if (!known(column, row) || !known(column + 1, row) || !known(column, row + 1) ||
-      !known(column + 1, row + 1))
+  const bool one_tile = column % kTile != kTile - 1 && row % kTile != kTile - 1;
+  if (!known(column, row) || (!one_tile && (!known(column + 1, row) || !known(column, row + 1) ||
+                                            !known(column + 1, row + 1))))
     return {far_, Vector2::Zero()};
   const double a = u - column, b = v - row;
   const double d00 = stored(column, row), d10 = stored(column + 1, row);

@@ -21,9 +21,19 @@ Pose2 advance_little(const Pose2& from, double length, double k0, double k1) {
   return {from.x + length * dx, from.y + length * dy, from.yaw + length * 0.5 * (k0 + k1)};
 }
 
+/// A straight or an arc, of which only the chord is needed.
+Pose2 advance_evenly(const Pose2& from, double length, double curvature) {
+  const double turn = length * curvature, half = turn / 2;
+  const double chord = half == 0 ? length : length * std::sin(half) / half;
+  return {from.x + chord * std::cos(from.yaw + half), from.y + chord * std::sin(from.yaw + half),
+          from.yaw + turn};
+}
+
 }  // namespace
 
 Pose2 advance(const Pose2& from, const CurvePiece& piece) {
+  if (piece.curvature == piece.curvature_end)
+    return advance_evenly(from, piece.length, piece.curvature);
   constexpr double kLittle = 0.2;  // radians
   const double turn =
       std::abs(piece.length) * std::max(std::abs(piece.curvature), std::abs(piece.curvature_end));

@@ -15,9 +15,22 @@
 
 namespace stope::planner {
 
-std::optional<Vector2> Footprint::touched(const Pose2& pose, double wider) const {
+/// Where the truck is some metres along a piece: of straights and arcs without a new sine.
+Footprint::Stand Footprint::stand_along(const Pose2& start, const Heading& heading,
+                                        const CurvePiece& piece, double along) {
+  if (along == 0) return {{start.x, start.y}, heading};
+  if (piece.curvature != piece.curvature_end)
+    return stand(advance(start, first_part(piece, along)));
+  const double length = std::copysign(along, piece.length), half = length * piece.curvature / 2;
+  const Heading turn = Heading::turn(half), middle = heading.turned(turn);
+  const double chord = half == 0 ? length : length * turn.sine() / half;
+  return {{start.x + chord * middle.cosine(), start.y + chord * middle.sine()},
+          middle.turned(turn)};
+}
+
+std::optional<Vector2> Footprint::touched(const Stand& stand, double wider) const {
   const GridFrame& frame = grid_.frame;
-  const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
+  const double c = stand.heading.cosine(), s = stand.heading.sine();
   const double ahead = vehicle_.nose() + wider, behind = -vehicle_.rear_overhang - wider;
   const double side = vehicle_.width / 2 + wider;
   std::array<Vector2, 4> corners;
@@ -26,9 +39,8 @@ std::optional<Vector2> Footprint::touched(const Pose2& pose, double wider) const
   double bottom = std::numeric_limits<double>::infinity(), top = -bottom;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto [a, b] = local[i];
-    corners[i] = frame.to_grid(pose.x + c * a - s * b, pose.y + s * a + c * b);
-    if (!std::isfinite(corners[i].x()) || !std::isfinite(corners[i].y()))
-      return Vector2(pose.x, pose.y);
+    corners[i] = frame.to_grid(stand.at.x() + c * a - s * b, stand.at.y() + s * a + c * b);
+    if (!std::isfinite(corners[i].x()) || !std::isfinite(corners[i].y())) return stand.at;
     const bool outside = corners[i].x() < 0 || corners[i].y() < 0 || corners[i].x() > frame.width ||
                          corners[i].y() > frame.height;
     if (outside) return frame.to_map(corners[i].x(), corners[i].y());
@@ -56,11 +68,11 @@ std::optional<Vector2> Footprint::touched(const Pose2& pose, double wider) const
   return std::nullopt;
 }
 
-double Footprint::quick_clearance(const Pose2& pose) const {
-  const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
+double Footprint::quick_clearance(const Stand& stand) const {
+  const double c = stand.heading.cosine(), s = stand.heading.sine();
   double least = std::numeric_limits<double>::infinity();
   for (const double offset : circles_.offsets)
-    least = std::min(least, field_.at_least(pose.x + c * offset, pose.y + s * offset));
+    least = std::min(least, field_.at_least(stand.at.x() + c * offset, stand.at.y() + s * offset));
   return least - circles_.radius;
 }
 
@@ -75,42 +87,47 @@ double Footprint::clearance(const Pose2& pose) const {
   const double around =
       (std::hypot(vehicle_.length, vehicle_.width) / 2 + kNear) / frame.resolution + 1;
   const Vector2 at = frame.to_grid(centre.x(), centre.y());
-  double least = kNear + frame.resolution;
-  for (auto row = static_cast<std::int32_t>(std::floor(at.y() - around)); row <= at.y() + around;
-       ++row) {
-    for (auto column = static_cast<std::int32_t>(std::floor(at.x() - around));
-         column <= at.x() + around; ++column) {
-      const Cell cell{column, row};
-      if (frame.contains(cell) && grid_.cells[frame.place(cell)] < 127) continue;
-      const Vector2 away = frame.centre(cell) - centre;
+  double least = std::pow(kNear + frame.resolution, 2);
+  const auto from_row = static_cast<std::int32_t>(std::floor(at.y() - around));
+  const auto from_column = static_cast<std::int32_t>(std::floor(at.x() - around));
+  const auto to_row = static_cast<std::int32_t>(std::floor(at.y() + around));
+  const auto to_column = static_cast<std::int32_t>(std::floor(at.x() + around));
+  for (std::int32_t row = from_row; row <= to_row; ++row) {
+    const bool on_map = row >= 0 && row < frame.height;
+    const std::uint8_t* cells = on_map ? &grid_.cells[frame.place({0, row})] : nullptr;
+    for (std::int32_t column = from_column; column <= to_column; ++column) {
+      if (on_map && column >= 0 && column < frame.width && cells[column] < 127) continue;
+      const Vector2 away = frame.centre({column, row}) - centre;
       const double beyond_end =
           std::max(0.0, std::abs(c * away.x() + s * away.y()) - vehicle_.length / 2);
       const double beyond_side =
           std::max(0.0, std::abs(-s * away.x() + c * away.y()) - vehicle_.width / 2);
-      least = std::min(least, std::hypot(beyond_end, beyond_side));
+      least = std::min(least, beyond_end * beyond_end + beyond_side * beyond_side);
     }
   }
-  return std::max(0.0, least - frame.resolution * std::numbers::sqrt2 / 2);
+  return std::max(0.0, std::sqrt(least) - frame.resolution * std::numbers::sqrt2 / 2);
 }
 
 std::optional<Footprint::Touch> Footprint::first_touch(const DriveCurve& curve) const {
+  constexpr double kWider = kBetween / 2;
   Pose2 start = curve.start;
   double driven = 0;
-  const auto look = [&](const Pose2& pose, double along) -> std::optional<Touch> {
-    if (const auto cell = touched(pose, vehicle_.margin + kBetween / 2))
-      return Touch{along, pose, *cell};
-    return std::nullopt;
-  };
-  if (curve.pieces.empty()) return look(start, 0);
+  if (curve.pieces.empty()) {
+    const auto cell = touched(start, vehicle_.margin + kWider);
+    return cell ? std::optional(Touch{0, start, *cell}) : std::nullopt;
+  }
   for (const CurvePiece& piece : curve.pieces) {
     const double length = std::abs(piece.length);
     const double speed =
         1 + vehicle_.reach() * std::max(std::abs(piece.curvature), std::abs(piece.curvature_end));
+    const Heading heading(start.yaw);
     for (double along = 0;;) {
-      const Pose2 pose = along > 0 ? advance(start, first_part(piece, along)) : start;
-      double step = (quick_clearance(pose) - vehicle_.margin) / speed;
+      const Stand here = stand_along(start, heading, piece, along);
+      double step = (quick_clearance(here) - vehicle_.margin) / speed;
       if (step < kBetween / speed) {
-        if (const auto touch = look(pose, driven + along)) return touch;
+        if (const auto cell = touched(here, vehicle_.margin + kWider))
+          return Touch{driven + along, along > 0 ? advance(start, first_part(piece, along)) : start,
+                       *cell};
         step = kBetween / speed;
       }
       if (along >= length) break;

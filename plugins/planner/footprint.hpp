@@ -4,6 +4,7 @@
 
 #include "plugins/planner/clearance_field.hpp"
 #include "plugins/planner/drive_curve.hpp"
+#include "plugins/planner/heading.hpp"
 #include "plugins/planner/vehicle.hpp"
 #include "stope/payloads/occupancy_grid.hpp"
 
@@ -20,10 +21,12 @@ class Footprint {
   /// grid's own cells.
   bool free(const Pose2& pose, double wider) const { return !touched(pose, wider); }
   /// Where it meets one: the obstacle cell's centre; none if it is free.
-  std::optional<Vector2> touched(const Pose2& pose, double wider) const;
+  std::optional<Vector2> touched(const Pose2& pose, double wider) const {
+    return touched(stand(pose), wider);
+  }
   /// A lower bound of the distance between outline and obstacles, quickly; off by about a cell of
   /// the field and what the circles jut out over the outline.
-  double quick_clearance(const Pose2& pose) const;
+  double quick_clearance(const Pose2& pose) const { return quick_clearance(stand(pose)); }
 
   /// Metres from the outline to the nearest obstacle, never too many: at most 0.71 grid cells too
   /// few up to 5 m, beyond that as quick_clearance().
@@ -42,6 +45,17 @@ class Footprint {
   static constexpr double kBetween = 0.1;  ///< metres
 
  private:
+  /// Where the rear axle's middle is, and the heading.
+  struct Stand {
+    Vector2 at;
+    Heading heading;
+  };
+  static Stand stand(const Pose2& pose) { return {{pose.x, pose.y}, Heading(pose.yaw)}; }
+  static Stand stand_along(const Pose2& start, const Heading& heading, const CurvePiece& piece,
+                           double along);
+  std::optional<Vector2> touched(const Stand& stand, double wider) const;
+  double quick_clearance(const Stand& stand) const;
+
   const Vehicle vehicle_;
   const CoveringCircles circles_;
   const OccupancyGrid& grid_;

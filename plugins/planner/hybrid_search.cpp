@@ -5,6 +5,8 @@
 // exactly. Such an arrival waits in the queue by its cost like any other, so the first to come out
 // is the best found.
 // Cost: O(n log n) in the poses looked at, each with 5 (10 with reverse) swept outlines.
+#include "plugins/planner/hybrid_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +16,7 @@
 #include <unordered_map>
 
 #include "plugins/planner/free_ground_distance.hpp"
-#include "plugins/planner/hybrid_search.hpp"
-#include "plugins/planner/reeds_shepp_words.hpp"
+#include "plugins/planner/manoeuvre_costs.hpp"
 
 namespace stope::planner {
 namespace {
@@ -23,11 +24,8 @@ namespace {
 constexpr double kCell = 1, kStep = 1.6;  // metres
 constexpr int kHeadings = 72;
 constexpr std::size_t kMostWords = 6;  // tried from one pose
-// Costs in metres of straight driving.
-constexpr double kReverseFactor = 2, kCusp = 25, kBend = 0.15, kSteer = 0.3, kTight = 1;
 constexpr std::size_t kEveryTurn = 8;  // poses from one turn to the walls to the next
 constexpr double kFromWall = 0.1;      // metres
-constexpr double kComfort = 2;         // metres of clearance beyond which walls do not matter
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 struct Reached {
@@ -56,6 +54,7 @@ class Search {
         ground_(ground),
         field_(field),
         rules_(rules),
+        costs_(ground.footprint(), rules.turning_radius, rules.allow_reverse),
         distance_(field, goals, ground.vehicle().width / 2) {}
 
   HybridResult run(const Pose2& start, const std::function<void()>& checkpoint) {
@@ -77,7 +76,8 @@ class Search {
         // Words are dear, so they are spelled only for poses whose turn has come.
         Reached& weighed = reached_[top.at];
         weighed.steered = true;
-        weighed.left = std::max(here.left, steered_estimate(here));
+        weighed.left =
+            std::max(here.left, costs_.without_walls(here.pose, here.by.length < 0, goals_));
         if (weighed.left > here.left) {
           queue_.push({weighed.cost + weighed.left, top.at});
           continue;
@@ -130,35 +130,6 @@ class Search {
     queue_.push({reached.cost + reached.left, at});
   }
 
-  /// What is left to drive, in cost, with the turning circle as if there were no obstacles.
-  double steered_estimate(const Reached& reached) const {
-    double steered = std::numeric_limits<double>::infinity();
-    // Of many goals a few stand for the others: a guess that is a little too long does no harm.
-    const std::size_t stride = std::max<std::size_t>(1, goals_.size() / 3);
-    for (std::size_t i = 0; i < goals_.size(); i += stride) {
-      for (const SteeringWord& word : words_to(reached.pose, goals_[i]))
-        steered = std::min(steered, cost_of(word, reached.by.length < 0));
-    }
-    return std::isfinite(steered) ? steered : 0;
-  }
-
-  std::vector<SteeringWord> words_to(const Pose2& from, const Pose2& goal) const {
-    return rules_.allow_reverse ? reeds_shepp_words(from, goal, rules_.turning_radius)
-                                : dubins_words(from, goal, rules_.turning_radius);
-  }
-
-  double cost_of(const CurvePiece& piece, const CurvePiece& before, const Pose2& end) const {
-    const double length = std::abs(piece.length);
-    const double bend = std::abs(piece.curvature) * rules_.turning_radius;
-    const double clearance = ground_.footprint().quick_clearance(end);
-    double cost =
-        length * (1 + kBend * bend + kTight * std::clamp(1 - clearance / kComfort, 0.0, 1.0));
-    if (piece.length < 0) cost *= kReverseFactor;
-    cost += kSteer * std::abs(piece.curvature - before.curvature) * rules_.turning_radius;
-    if (before.length != 0 && (before.length < 0) != (piece.length < 0)) cost += kCusp;
-    return cost;
-  }
-
   void expand(std::uint32_t at) {
     const Reached here = reached_[at];
     for (const double direction : {1.0, -1.0}) {
@@ -167,7 +138,7 @@ class Search {
         const double curvature = share / rules_.turning_radius;
         const CurvePiece piece{direction * kStep, curvature, curvature};
         const Pose2 end = advance(here.pose, piece);
-        const double cost = here.cost + cost_of(piece, here.by, end);
+        const double cost = here.cost + costs_.of(piece, here.by, end);
         const auto known = best_.find(key(end, piece));
         if (known != best_.end() && reached_[known->second].cost <= cost) continue;
         if (!ground_.drivable({here.pose, {piece}})) continue;
@@ -190,7 +161,7 @@ class Search {
         piece.length = direction * (obstruction->along - kFromWall);
         if (std::abs(piece.length) <= kStep || !ground_.drivable({here.pose, {piece}})) continue;
         const Pose2 end = advance(here.pose, piece);
-        add({end, piece, here.cost + cost_of(piece, here.by, end), at, kNone});
+        add({end, piece, here.cost + costs_.of(piece, here.by, end), at, kNone});
       }
     }
   }
@@ -210,8 +181,8 @@ class Search {
     };
     std::vector<Candidate> candidates;
     for (const Pose2& goal : goals_) {
-      for (const SteeringWord& word : words_to(here.pose, goal)) {
-        const double cost = here.cost + cost_of(word, here.by.length < 0);
+      for (const SteeringWord& word : costs_.words_to(here.pose, goal)) {
+        const double cost = here.cost + costs_.of(word, here.by.length < 0);
         if (word.total * rules_.turning_radius < 2 * left + 7 * rules_.turning_radius &&
             cost < best_arrival_)
           candidates.push_back({cost, word});
@@ -230,20 +201,6 @@ class Search {
     }
   }
 
-  /// As of pieces, but as if far from walls.
-  double cost_of(const SteeringWord& word, bool backwards) const {
-    double cost = 0, bend = 0;
-    for (std::size_t i = 0; i < word.steer.size() && word.steer[i] != 0; ++i) {
-      const bool back = word.length[i] < 0;
-      const double now = word.steer[i] == 'S' ? 0 : word.steer[i] == 'L' ? 1 : -1;
-      cost += std::abs(word.length[i]) * rules_.turning_radius * (1 + kBend * std::abs(now)) *
-                  (back ? kReverseFactor : 1) +
-              kSteer * std::abs(now - bend) + (back != backwards ? kCusp : 0);
-      bend = now, backwards = back;
-    }
-    return cost;
-  }
-
   DriveCurve trace(const Pose2& start, std::uint32_t at) const {
     DriveCurve curve{start, {}};
     std::vector<CurvePiece> pieces;
@@ -259,6 +216,7 @@ class Search {
   const Drivability& ground_;
   const ClearanceField& field_;
   const HybridRules& rules_;
+  const ManoeuvreCosts costs_;
   FreeGroundDistance distance_;
   std::vector<Reached> reached_;
   std::vector<DriveCurve> arrivals_;

@@ -45,9 +45,22 @@ RouteLine RouteLine::until(double along) const {
 }
 
 std::size_t RouteLine::segment(double along) const {
+  // Points mostly lie evenly: where this one would lie then, and a few beside.
+  const std::size_t last = points_.size() - 1;
+  const double share = std::clamp(along / along_.back(), 0.0, 1.0);
+  auto i = std::clamp<std::size_t>(static_cast<std::size_t>(share * static_cast<double>(last)) + 1,
+                                   1, last);
+  for (int tries = 0; tries < 4; ++tries) {
+    if (i > 1 && along_[i - 1] > along)
+      --i;
+    else if (i < last && along_[i] <= along)
+      ++i;
+    else
+      return i;
+  }
   const auto after = std::upper_bound(along_.begin(), along_.end(), along) - along_.begin();
   return static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(after, 1, static_cast<std::ptrdiff_t>(points_.size()) - 1));
+      std::clamp<std::ptrdiff_t>(after, 1, static_cast<std::ptrdiff_t>(last)));
 }
 
 Vector2 RouteLine::at(double along) const {
