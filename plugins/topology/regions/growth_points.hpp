@@ -11,14 +11,23 @@ namespace stope::topology {
 struct GrowthPoint {
   CellIndex cell = 0;
   std::int32_t squared = 0;  ///< squared clearance in cells, at most that of the largest region
+  std::uint64_t turn = 0;    ///< among equally clear ones
   bool operator==(const GrowthPoint&) const = default;
 };
 
-/// In the order they are tried: the clearest first.
+/// In the order they are tried: the clearest first, in the open one square after the other in an
+/// order that is as good as random.
 bool tried_before(const GrowthPoint& a, const GrowthPoint& b);
 
-/// The cells in the middle of free space: those none of whose neighbours is clearer. Where nothing
-/// is near, every few cells one. `max_radius` in cells.
+/// In the open, where no obstacle is within the largest radius, there is one growth point for each
+/// square of so many cells.
+std::int32_t spacing_in_the_open(double max_radius);
+
+/// Whether a cell of this squared clearance is in the open.
+bool is_open(std::int32_t squared, double max_radius);
+
+/// The cells in the middle of free space: those none of whose neighbours is clearer; in the open,
+/// one in each square. `max_radius` in cells.
 std::vector<GrowthPoint> middle_points(const Ground& ground, double max_radius,
                                        const Checkpoint& checkpoint);
 

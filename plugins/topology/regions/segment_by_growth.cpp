@@ -52,9 +52,14 @@ void check(const GrowingParams& params, const GridFrame& frame) {
 ChangedTiles difference(const Ground& ground, const GroundChange& change, double radius) {
   ChangedTiles changed(ground.width(), ground.height());
   const auto bound = static_cast<std::int32_t>(std::min(radius * radius + 1, 1e9));
-  for (const auto& [cell, squared] : change.cells)
-    if (std::min(bound, ground.squared(cell)) != std::min(bound, squared))
-      changed.add(ground.column(cell), ground.row(cell), 2);
+  // Whether a cell is a growth point depends on its neighbours, and on its square for what is open.
+  const std::int32_t square = std::max(2, spacing_in_the_open(radius));
+  for (const auto& [cell, squared] : change.cells) {
+    const std::int32_t now = ground.squared(cell);
+    if (std::min(bound, now) == std::min(bound, squared)) continue;
+    changed.add(ground.column(cell), ground.row(cell),
+                is_open(now, radius) == is_open(squared, radius) ? 2 : square);
+  }
   return changed;
 }
 

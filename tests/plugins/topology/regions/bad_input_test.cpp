@@ -47,6 +47,47 @@ TEST(RegionStages, AFullyFreeGridIsCovered) {
   }
 }
 
+TEST(RegionGrowing, RoomsJustAsWideAsTheLargestRegionAreCoveredWhereverTheyLie) {
+  // Their middle is in the open, but for a few cells: none of them need lie on a round number.
+  for (int shift = 0; shift < 8; ++shift) {
+    const OccupancyGrid grid = grid_where(7, 3.8, 0.1, [&](double x, double y) {
+      const double at = x - 0.1 * shift;
+      const bool wall = at > 2.9 && at < 3.1 && !(y > 1.2 && y < 1.8);
+      return at > 0 && at < 6 && y > 0.1 * shift && y < 0.1 * shift + 3 && !wall;
+    });
+    StageHarness stage = for_rooms(stope_stage_RegionGrowing());
+    stage.set("growth_radius", 0.5).set("max_radius", 1.5).set("merge_area", 5.0);
+    stage.set("second_radius", 1.0).set("min_obstacle_area", 0.1).input("grid", grid);
+    const auto map = stage.apply<RegionMap>(1);
+    EXPECT_GE(map.regions.size(), 2U) << shift;
+    EXPECT_EQ(std::count_if(map.labels.cells.begin(), map.labels.cells.end(),
+                            [](std::int32_t label) { return label > 0; }),
+              std::count(grid.cells.begin(), grid.cells.end(), OccupancyGrid::kFree))
+        << shift;
+  }
+}
+
+TEST(RegionStages, SpecksOfFreeSpaceAreLeftOutAndItIsSaid) {
+  for (const StageEntry* entry : region_stages()) {
+    OccupancyGrid grid = two_rooms();
+    // In the walls: a crumb of four cells, and one cell alone.
+    for (const Cell cell : {Cell{43, 3}, {44, 3}, {43, 4}, {44, 4}, {43, 40}})
+      grid.cells[grid.frame.place(cell)] = OccupancyGrid::kFree;
+    StageHarness stage = for_rooms(entry);
+    const auto map = stage.input("grid", grid).apply<RegionMap>(1);
+    EXPECT_EQ(map.regions.size(), 2U);
+    EXPECT_EQ(map.labels.cells[grid.frame.place({43, 40})], 0);
+    const auto& said = stage.context().sentences;
+    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const std::string& sentence) {
+      return sentence.find("2 parts of free space, 5 cells together, are left out") !=
+             std::string::npos;
+    })) << said[0];
+    StageHarness with_specks = for_rooms(entry);
+    with_specks.set("min_region_area", 0.0).input("grid", grid);
+    EXPECT_EQ(with_specks.apply<RegionMap>(1).regions.size(), 4U);
+  }
+}
+
 TEST(RegionStages, PiecesThatDoNotTouchHaveGraphsOfTheirOwnAndItIsSaid) {
   for (const StageEntry* entry : region_stages()) {
     const OccupancyGrid rooms = two_rooms();

@@ -151,6 +151,33 @@ TEST(Basins, AreTheCellsFromWhichGoingUphillEndsAtOnePeak) {
   }
 }
 
+TEST(RegionGrowing, AChangeInAWideYardIsFeltNearbyOnly) {
+  std::size_t reused = 0, grown = 0;
+  for (std::int32_t place = 0; place < 6; ++place) {
+    OccupancyGrid grid;
+    grid.frame.width = grid.frame.height = 400;
+    grid.frame.resolution = 0.1;
+    grid.cells.assign(grid.frame.size(), OccupancyGrid::kFree);
+    const GrowingParams params{1.0, 2, 1, 0.3, 0.05, 3, 0.8, 30, 0.2, 0.95, 1, false};
+    ExtractionParams extraction;
+    extraction.min_obstacle_area = 0;
+    Ground ground(grid, extraction);
+    GrowthMemory memory;
+    segment_by_growth(ground, {}, params, {}, Random(1), never_stop, &memory);
+    const CellWindow heap{30 + 50 * place, 40, 6, 6};
+    for (std::int32_t y = heap.row; y < heap.row + heap.height; ++y)
+      for (std::int32_t x = heap.column; x < heap.column + heap.width; ++x)
+        grid.cells[grid.frame.place({x, y})] = OccupancyGrid::kOccupied;
+    GroundChange change(ground.width(), ground.height());
+    ASSERT_TRUE(ground.update(grid, heap, change));
+    segment_by_growth(ground, {}, params, {}, Random(1), never_stop, &memory, &change);
+    reused += memory.reused;
+    grown += memory.regions.size();
+  }
+  EXPECT_GT(reused, grown * 8 / 10);
+  EXPECT_LT(reused, grown);
+}
+
 TEST(RegionGrowing, UsesWhatGrewFarFromTheChangeAgain) {
   OccupancyGrid grid = random_grid(400, 300, 0.95, 10, 7);
   grid.frame.resolution = 0.1;
