@@ -6,6 +6,7 @@
 #include "framework/cli/exit_code.hpp"
 #include "framework/cli/load_experiment.hpp"
 #include "framework/cli/load_pipeline.hpp"
+#include "framework/compare/remarks.hpp"
 #include "framework/pipeline/plan_json.hpp"
 
 namespace stope {
@@ -17,6 +18,10 @@ int check_experiment(const Arguments& arguments) {
   if (!loaded.plan) return loaded.exit_code;
   for (const std::string& warning : loaded.plan->warnings)
     fmt::print(stderr, "warning: {}\n", warning);
+  const std::string too_few =
+      expected_remark(comparable_recordings(*loaded.experiment, *loaded.plan),
+                      loaded.experiment->arms.size(), loaded.experiment->metrics.size());
+  if (!too_few.empty()) fmt::print(stderr, "warning: {}\n", too_few);
   const std::size_t arms = loaded.experiment->arms.size();
   const std::size_t recordings = loaded.experiment->recordings.size();
   if (arguments.json) {

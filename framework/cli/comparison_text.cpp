@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "framework/compare/remarks.hpp"
 #include "framework/compare/timing.hpp"
 #include "framework/compare/verdicts.hpp"
 
@@ -18,9 +22,15 @@ std::string measure_line(const ComparedMetric& metric, const ComparedMeasure& co
   if (compared.verdict == Verdict::kIdentical || compared.differences.empty())
     return name + text_of(compared) + "\n";
   const std::string unit = metric.unit.empty() ? "" : fmt::format(" {}", metric.unit);
-  return fmt::format("{}{:+.4g} [{:.4g}, {:.4g}]{} over {}: {}\n", name, compared.mean_difference,
-                     compared.interval.low, compared.interval.high, unit,
-                     compared.differences.size(), text_of(compared));
+  const std::size_t count = compared.differences.size();
+  return fmt::format(
+      "{}{:+.4g} {}{} over {}{}: {}\n", name, compared.mean_difference,
+      compared.has_interval()
+          ? fmt::format("[{:.4g}, {:.4g}]", compared.interval.low, compared.interval.high)
+          : "[–]",
+      unit, count,
+      compared.excluded.empty() ? "" : fmt::format(" of {}", count + compared.excluded.size()),
+      text_of(compared));
 }
 
 std::string verdicts_text(const Comparison& comparison) {
@@ -28,12 +38,26 @@ std::string verdicts_text(const Comparison& comparison) {
   for (const ComparedMetric& metric : comparison.metrics)
     width = std::max(width, metric.name.size());
   std::string text;
+  std::vector<std::string> remarks = comparison.warnings;
+  bool few = false;
   for (const ArmVerdicts& verdicts : verdicts_of(comparison)) {
-    text += fmt::format("{} beside {}:\n", comparison.arms[verdicts.arm].name,
-                        comparison.arms[comparison.baseline].name);
-    for (std::size_t i = 0; i < verdicts.measures.size(); ++i)
+    const std::string losses = losses_text(comparison, verdicts.arm);
+    text += fmt::format("{} beside {}{}:\n", comparison.arms[verdicts.arm].name,
+                        comparison.arms[comparison.baseline].name,
+                        losses.empty() ? "" : fmt::format(" ({})", losses));
+    for (std::size_t i = 0; i < verdicts.measures.size(); ++i) {
       text += measure_line(comparison.metrics[i], verdicts.measures[i], width);
+      few = few ||
+            (!verdicts.measures[i].has_interval() && !verdicts.measures[i].differences.empty());
+    }
+    for (std::string& remark : remarks_of(comparison, verdicts))
+      if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end())
+        remarks.push_back(std::move(remark));
   }
+  if (few)
+    remarks.push_back(
+        fmt::format("[–]: below {} recordings an interval cannot be believed.", kLeastRecordings));
+  for (const std::string& remark : remarks) text += fmt::format("Note: {}\n", remark);
   return text;
 }
 

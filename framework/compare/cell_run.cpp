@@ -47,8 +47,8 @@ struct CellRun::State {
 
   void exclude(const std::string& metric, const std::string& sentence) {
     comparison.exclusions.push_back({comparison.arms[cell.arm].name,
-                                     comparison.recordings[cell.recording].name,
-                                     comparison.seeds[cell.seed], metric, sentence});
+                                     comparison.recordings[cell.recording].name, cell.run_seed,
+                                     metric, sentence});
   }
 
   void check_metrics(const Measured& of) {

@@ -32,6 +32,9 @@ struct ComparedArm {
 struct ComparedRecording {
   std::string name;                    ///< a file name, as an arm's
   std::vector<std::string> overrides;  ///< as an arm's; the run's seed, if it sets one, as `seed=7`
+  /// The first earlier recording that this is under another name (note_equal_recordings()), or
+  /// empty. The statistics count them as one.
+  std::string same_as;
 };
 
 /// One measure that arms are judged by.
@@ -90,6 +93,7 @@ enum class CellStatus : int {
 /// One arm on one recording with one seed.
 struct ComparedCell {
   std::size_t arm = 0, recording = 0, seed = 0;  ///< places in the lists of Comparison
+  std::uint64_t run_seed = 0;  ///< the recording's own if it sets one, else that of the list
   CellStatus status = CellStatus::kPending;
   std::string sentence;      ///< why it failed or was excluded
   std::string failed_stage;  ///< of a failed one, as in the arm's pipeline; may be empty
@@ -106,7 +110,7 @@ struct ComparedCell {
 /// here too (with no metric), so that the number of these is the number of things left out.
 struct Exclusion {
   std::string arm, recording;
-  std::uint64_t seed = 0;  ///< itself, not its place
+  std::uint64_t seed = 0;  ///< of the run, itself and not its place
   std::string metric;      ///< empty: all of the cell
   std::string sentence;
 };
@@ -140,23 +144,34 @@ struct Comparison {
   std::vector<TimedPair> timings;     ///< empty unless the experiment asks for them
   std::vector<std::string> warnings;  ///< such as of arms that are equal
 
+  /// Of a cell, in `cells`.
+  std::size_t place(std::size_t arm, std::size_t recording, std::size_t seed) const {
+    return (recording * seeds.size() + seed) * arms.size() + arm;
+  }
   const ComparedCell& cell(std::size_t arm, std::size_t recording, std::size_t seed) const {
-    return cells[(recording * seeds.size() + seed) * arms.size() + arm];
+    return cells[place(arm, recording, seed)];
   }
   ComparedCell& cell(std::size_t arm, std::size_t recording, std::size_t seed) {
-    return cells[(recording * seeds.size() + seed) * arms.size() + arm];
+    return cells[place(arm, recording, seed)];
   }
 };
 
 /// A table of pending cells for the arms, recordings and seeds of a comparison.
 std::vector<ComparedCell> empty_cells(const Comparison& comparison);
 
+/// Whether two cells left the same files and the same figures, bit for bit.
+bool same_outputs(const ComparedCell& a, const ComparedCell& b);
+
+/// The recordings, each with all it is called by: places in the list, the first name first.
+std::vector<std::vector<std::size_t>> distinct_recordings(const Comparison& comparison);
+
 /// Whether two arms left the same bytes and the same measures in every cell that both have done, of
 /// which there must be one.
 bool outputs_identical(const Comparison& comparison, std::size_t arm, std::size_t other);
 
-/// What the statistics are made of: for each metric the recordings that both the baseline and the
-/// arm have, each the mean over the seeds that both have done with a finite figure.
+/// What the statistics are made of: for each metric the distinct recordings that both the baseline
+/// and the arm have, each the mean over the seeds, and over the names it has, that both have done
+/// with a finite figure.
 std::vector<MeasuredPairs> measured_pairs(const Comparison& comparison, std::size_t arm);
 
 }  // namespace stope

@@ -66,11 +66,12 @@ ComparedArm read_arm(const Json& json) {
 }
 
 Json recording_json(const ComparedRecording& recording) {
-  return {{"name", recording.name}, {"overrides", recording.overrides}};
+  return {
+      {"name", recording.name}, {"overrides", recording.overrides}, {"same_as", recording.same_as}};
 }
 
 ComparedRecording read_recording(const Json& json) {
-  return {json.at("name"), json.at("overrides")};
+  return {json.at("name"), json.at("overrides"), json.value("same_as", "")};
 }
 
 Json metric_json(const ComparedMetric& metric) {
@@ -123,7 +124,7 @@ CellArtefact read_artefact(const Json& json) {
 Json cell_json(const Comparison& comparison, const ComparedCell& cell) {
   Json json{{"arm", comparison.arms[cell.arm].name},
             {"recording", comparison.recordings[cell.recording].name},
-            {"seed", comparison.seeds[cell.seed]},
+            {"seed", cell.run_seed},
             {"status", word_for(cell.status, kStatuses)}};
   if (!cell.sentence.empty()) json["sentence"] = cell.sentence;
   if (!cell.failed_stage.empty()) json["failed_stage"] = cell.failed_stage;
@@ -136,6 +137,7 @@ Json cell_json(const Comparison& comparison, const ComparedCell& cell) {
 }
 
 void read_cell(const Json& json, ComparedCell& cell) {
+  cell.run_seed = json.at("seed");
   cell.status = value_of<CellStatus>(json.at("status"), kStatuses);
   cell.sentence = json.value("sentence", "");
   cell.failed_stage = json.value("failed_stage", "");

@@ -87,10 +87,11 @@ std::size_t EarlierCells::take_over(Comparison& comparison) const {
     cell.arm = place.arm;
     cell.recording = place.recording;
     cell.seed = place.seed;
+    cell.run_seed = place.run_seed;
     for (const Exclusion& exclusion : earlier_->exclusions)
       if (exclusion.arm == comparison.arms[cell.arm].name &&
           exclusion.recording == comparison.recordings[cell.recording].name &&
-          exclusion.seed == comparison.seeds[cell.seed])
+          exclusion.seed == cell.run_seed)
         comparison.exclusions.push_back(exclusion);
     ++kept;
   }

@@ -48,7 +48,7 @@ ComparedArm arm_of(const CompareJob& job, std::size_t arm) {
 }
 
 ComparedRecording recording_of(const Variant& variant) {
-  ComparedRecording made{variant.name, texts_of(variant.overrides)};
+  ComparedRecording made{variant.name, texts_of(variant.overrides), {}};
   if (variant.seed) made.overrides.push_back(fmt::format("seed={}", *variant.seed));
   return made;
 }
@@ -64,16 +64,16 @@ ComparedMetric metric_of(const ExperimentMetric& metric) {
 
 void exclude_what_is_missing(const CompareJob& job, Comparison& comparison) {
   for (ComparedCell& cell : comparison.cells) {
+    cell.run_seed = job.experiment.seed_of(cell.recording, cell.seed);
     cell.folder = fmt::format("arms/{}/{}/{}", comparison.arms[cell.arm].name,
-                              comparison.recordings[cell.recording].name,
-                              job.experiment.seed_of(cell.recording, cell.seed));
+                              comparison.recordings[cell.recording].name, cell.run_seed);
     const PlannedArm& planned = job.plan.of(cell.arm, cell.recording);
     if (planned.plan) continue;
     cell.status = CellStatus::kExcluded;
     cell.sentence = planned.why_not;
     comparison.exclusions.push_back({comparison.arms[cell.arm].name,
-                                     comparison.recordings[cell.recording].name,
-                                     comparison.seeds[cell.seed], "", planned.why_not});
+                                     comparison.recordings[cell.recording].name, cell.run_seed, "",
+                                     planned.why_not});
   }
 }
 

@@ -11,9 +11,11 @@
 #include "framework/compare/comparison_json.hpp"
 #include "framework/compare/earlier_cells.hpp"
 #include "framework/compare/equal_arms.hpp"
+#include "framework/compare/equal_recordings.hpp"
 #include "framework/compare/group_run.hpp"
 #include "framework/compare/metric_check.hpp"
 #include "framework/compare/new_comparison.hpp"
+#include "framework/compare/remarks.hpp"
 #include "framework/compare/timing.hpp"
 #include "framework/report/folder_lock.hpp"
 #include "framework/report/pending_file.hpp"
@@ -22,6 +24,8 @@
 
 namespace stope {
 namespace {
+
+constexpr const char* kFile = "comparison.json";
 
 std::string now() { return report::utc_text(std::chrono::system_clock::now()); }
 
@@ -45,6 +49,8 @@ class ComparisonRun {
       job_.observer.log(LogLevel::kInfo, "",
                         fmt::format("{} of {} runs were done before and are kept", kept,
                                     comparison_.cells.size()));
+    if (kept < comparison_.cells.size()) warn_of_too_few();
+    if (!std::filesystem::exists(job_.options.folder / kFile)) save();
   }
 
   Comparison run() {
@@ -54,6 +60,7 @@ class ComparisonRun {
       stopped = !run_next(group, groups);
     if (!stopped) stopped = !time_arms(job_, comparison_);
     note_equal_arms(comparison_);
+    note_equal_recordings(comparison_, sources_);
     comparison_.complete = !stopped;
     if (!stopped) comparison_.ended = now();
     save();
@@ -63,9 +70,34 @@ class ComparisonRun {
  private:
   static const std::filesystem::path& made(const std::filesystem::path& folder) {
     std::error_code error;
+    if (std::filesystem::exists(folder, error)) require_own(folder);
     std::filesystem::create_directories(folder, error);
     if (error) throw Error(report::io_sentence("make the folder", folder, error.value()));
     return folder;
+  }
+
+  // A report, tables and `arms` would be written over what somebody else keeps there.
+  static void require_own(const std::filesystem::path& folder) {
+    if (std::filesystem::exists(folder / kFile)) return;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+      if (!is_left_by_stope(entry.path().filename().string()))
+        throw Error(
+            fmt::format("{} is neither empty nor the folder of a comparison: there is '{}' in it, "
+                        "and no {}. Choose another folder with --out.",
+                        folder.string(), entry.path().filename().string(), kFile));
+    if (error) throw Error(report::io_sentence("read the folder", folder, error.value()));
+  }
+
+  // Before there is a comparison.json.
+  static bool is_left_by_stope(const std::string& name) {
+    return name.starts_with('.') && name.ends_with(report::kPendingSuffix);
+  }
+
+  // Before hours are spent on it.
+  void warn_of_too_few() const {
+    const std::string remark = expected_remark(comparison_);
+    if (!remark.empty()) job_.observer.log(LogLevel::kWarning, "", remark);
   }
 
   // What a comparison that was killed left; the lock says that it is gone.
@@ -76,15 +108,18 @@ class ComparisonRun {
 
   // Also decides which cells are equal, before anything runs.
   void name_keys() {
+    sources_.resize(comparison_.cells.size());
     for (ComparedCell& cell : comparison_.cells) {
       if (cell.status != CellStatus::kPending) continue;
       const PlannedArm& arm = job_.plan.of(cell.arm, cell.recording);
-      cell.key =
-          cell_key(job_.experiment, arm,
-                   arm_keys(job_, *arm.plan, job_.experiment.seed_of(cell.recording, cell.seed),
-                            comparison_.id));
+      const std::vector<StageKey> keys = arm_keys(
+          job_, *arm.plan, job_.experiment.seed_of(cell.recording, cell.seed), comparison_.id);
+      cell.key = cell_key(job_.experiment, arm, keys);
+      sources_[comparison_.place(cell.arm, cell.recording, cell.seed)] =
+          sources_key(*arm.plan, keys);
     }
     note_equal_arms(comparison_);
+    note_equal_recordings(comparison_, sources_);
     for (const std::string& warning : comparison_.warnings)
       job_.observer.log(LogLevel::kWarning, "", warning);
   }
@@ -111,13 +146,14 @@ class ComparisonRun {
   }
 
   void save() const {
-    report::write_file(job_.options.folder / "comparison.json", comparison_json(comparison_));
+    report::write_file(job_.options.folder / kFile, comparison_json(comparison_));
   }
 
   const CompareJob& job_;
   report::FolderLock lock_;
   Comparison comparison_;
   MetricCheck metrics_;
+  SourceKeys sources_;
 };
 
 }  // namespace

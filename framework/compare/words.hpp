@@ -12,8 +12,8 @@ inline constexpr std::array kDirections{"higher", "lower"};
 inline constexpr std::array kFates{"ran", "shared", "stored", "not_needed"};
 inline constexpr std::array kKinds{"picture", "geojson", "measures", "other"};
 inline constexpr std::array kStatuses{"pending", "done", "failed", "excluded"};
-inline constexpr std::array kVerdicts{"identical", "too_few", "better",
-                                      "worse",     "same",    "no_difference_shown"};
+inline constexpr std::array kVerdicts{"identical",           "too_few",  "better", "worse", "same",
+                                      "no_difference_shown", "no_figure"};
 
 template <class E, class Words>
 constexpr const char* word_for(E value, const Words& words) {

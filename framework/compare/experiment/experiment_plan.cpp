@@ -139,6 +139,17 @@ class Planner {
 
 }  // namespace
 
+std::size_t comparable_recordings(const Experiment& experiment, const ExperimentPlan& plan) {
+  std::size_t most = 0;
+  for (std::size_t arm = 0; arm < plan.arms; ++arm) {
+    std::size_t common = 0;
+    for (std::size_t recording = 0; recording < experiment.recordings.size(); ++recording)
+      if (plan.of(arm, recording).plan && plan.of(experiment.baseline, recording).plan) ++common;
+    if (arm != experiment.baseline) most = std::max(most, common);
+  }
+  return most;
+}
+
 std::optional<ExperimentPlan> plan_experiment(const Experiment& experiment,
                                               const Catalogue& catalogue,
                                               Diagnostics& diagnostics) {

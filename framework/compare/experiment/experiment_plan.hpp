@@ -27,6 +27,9 @@ struct ExperimentPlan {
   }
 };
 
+/// On how many recordings the best-off arm can be compared with the baseline.
+std::size_t comparable_recordings(const Experiment& experiment, const ExperimentPlan& plan);
+
 /// Checks the pipeline that each arm is on each recording, before any data is read. Reports all
 /// that is wrong, each with the arm it is wrong in; nothing is given then. A recording whose files
 /// are not there for an arm is no error but left out of it, unless nothing is left.

@@ -33,7 +33,7 @@ Axis axis_of(const std::vector<ArmVerdicts>& verdicts, std::size_t metric, doubl
       axis.low = std::min(axis.low, difference);
       axis.high = std::max(axis.high, difference);
     }
-    if (measure.differences.empty()) continue;
+    if (!measure.has_interval()) continue;
     axis.low = std::min(axis.low, measure.interval.low);
     axis.high = std::max(axis.high, measure.interval.high);
   }
@@ -57,7 +57,7 @@ std::string strip(const ComparedMeasure& measure, const Axis& axis) {
                                   : i % 3 == 1 ? 1
                                                : -1),
         escaped(measure.recordings[i]), number_text(measure.differences[i]));
-  if (!measure.differences.empty() && measure.verdict != Verdict::kTooFew) {
+  if (measure.has_interval()) {
     svg += fmt::format(
         "<g class=\"{}\"><line class=\"interval\" x1=\"{}\" x2=\"{}\" y1=\"32\" y2=\"32\"/>"
         "<line class=\"interval\" x1=\"{}\" x2=\"{}\" y1=\"27\" y2=\"37\"/><line "

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "framework/compare/remarks.hpp"
 #include "framework/report/quantity_text.hpp"
 
 namespace stope::report {
@@ -20,14 +21,16 @@ std::string listed(const std::vector<std::string>& items) {
   return text;
 }
 
-// `10`, or `8 to 10` where some measures lack recordings.
-std::string recordings_text(const std::vector<ComparedMeasure>& measures) {
+// `10 recordings`, or `8 to 10 of 12 recordings` where some measures lack some.
+std::string recordings_text(const std::vector<ComparedMeasure>& measures, std::size_t all) {
   std::size_t least = measures.front().differences.size(), most = least;
   for (const ComparedMeasure& measure : measures) {
     least = std::min(least, measure.differences.size());
     most = std::max(most, measure.differences.size());
   }
-  if (least != most) return fmt::format("{} to {} recordings", least, most);
+  const std::string of = least < all ? fmt::format(" of {}", all) : "";
+  if (least != most) return fmt::format("{} to {}{} recordings", least, most, of);
+  if (!of.empty()) return fmt::format("{}{} recordings", least, of);
   return count_text(least, "recording", "recordings");
 }
 
@@ -62,7 +65,9 @@ std::vector<Group> groups_of(const Comparison& comparison, const ArmVerdicts& ve
     const std::string& unit = comparison.metrics[i].unit;
     std::string name = measure.measure;
     if (shown(measure.verdict)) name += " by " + by_how_much(measure, unit);
-    if (measure.verdict == Verdict::kSame)
+    if (measure.all_equal() && measure.differences.front() == 0)
+      name += " (equal to the last bit)";
+    else if (measure.verdict == Verdict::kSame)
       name += fmt::format(" (within {}{}{})", number_text(measure.smallest_that_matters),
                           unit.empty() ? "" : " ", unit);
     group->names.push_back(std::move(name));
@@ -95,19 +100,13 @@ std::string opening(const Group& group, const std::string& arm, const std::strin
       return fmt::format(
           "{} recordings are needed to say anything of {} and {} in {}: there are {}",
           kLeastRecordings, arm, baseline, names, recordings);
+    case Verdict::kNoFigure:
+      return fmt::format("There is no usable figure of {} beside {} in {} on any of {}", arm,
+                         baseline, names, recordings);
     default:
       return fmt::format("No difference shown between {} and {} in {} on {}", arm, baseline, names,
                          recordings);
   }
-}
-
-std::string what_is_missing(const ArmVerdicts& verdicts) {
-  for (const ComparedMeasure& measure : verdicts.measures)
-    if (measure.tests > 0 && !measure.can_show())
-      return fmt::format(
-          " {} recordings cannot show any difference beside {} tests, however clear: it takes {}.",
-          measure.differences.size(), measure.tests, recordings_needed(measure.tests));
-  return {};
 }
 
 }  // namespace
@@ -117,16 +116,23 @@ std::string finding_text(const Comparison& comparison, const ArmVerdicts& verdic
   const std::string& baseline = comparison.arms[comparison.baseline].name;
   if (verdicts.measures.empty())
     return fmt::format("{}: there are no metrics to judge it by.", arm);
-  const std::string recordings = recordings_text(verdicts.measures);
+  const std::size_t all = distinct_recordings(comparison).size();
   if (verdicts.measures.front().verdict == Verdict::kIdentical)
     return fmt::format(
         "{} and {} left the same bytes wherever both were run: there is nothing to compare.", arm,
         baseline);
   const std::vector<Group> groups = groups_of(comparison, verdicts);
-  std::string text = opening(groups.front(), arm, baseline, recordings);
+  std::string text = opening(groups.front(), arm, baseline,
+                             groups.front().verdict == Verdict::kNoFigure
+                                 ? count_text(all, "recording", "recordings")
+                                 : recordings_text(verdicts.measures, all));
+  const std::string losses = losses_text(comparison, verdicts.arm);
+  if (!losses.empty()) text += "; " + losses;
   for (std::size_t i = 1; i < groups.size(); ++i)
     text += fmt::format("; {} in {}", groups[i].said, listed(groups[i].names));
-  return text + "." + what_is_missing(verdicts);
+  text += ".";
+  for (const std::string& remark : remarks_of(comparison, verdicts)) text += " " + remark;
+  return text;
 }
 
 std::string to_width(double value, double width) {
@@ -140,6 +146,7 @@ std::string to_width(double value, double width) {
 }
 
 std::string difference_text(const ComparedMeasure& measure) {
+  if (!measure.has_interval()) return number_text(measure.mean_difference) + " [–]";
   const double width = measure.interval.high - measure.interval.low;
   return fmt::format("{} [{}, {}]", to_width(measure.mean_difference, width),
                      to_width(measure.interval.low, width), to_width(measure.interval.high, width));

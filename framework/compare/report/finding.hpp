@@ -10,7 +10,8 @@ namespace stope::report {
 /// 0.34 [0.28, 0.41] on 10 recordings, and it matters; no difference shown in coverage.`
 std::string finding_text(const Comparison& comparison, const ArmVerdicts& verdicts);
 
-/// `0.34 [0.28, 0.41]`: two figures of the interval's width; above 0 the arm is better.
+/// `0.34 [0.28, 0.41]`: two figures of the interval's width; above 0 the arm is better. `0.34 [–]`
+/// of so few recordings that no interval can be believed.
 std::string difference_text(const ComparedMeasure& measure);
 
 /// A number to as many places as an interval of that width is worth.

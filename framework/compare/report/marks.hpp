@@ -24,6 +24,8 @@ inline VerdictMark mark_of(const ComparedMeasure& measure) {
       return {"same", "≡"};
     case Verdict::kTooFew:
       return {"unknown", "…"};
+    case Verdict::kNoFigure:
+      return {"unknown", "∅"};
     case Verdict::kNoDifferenceShown:
       break;
   }

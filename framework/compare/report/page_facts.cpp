@@ -56,7 +56,11 @@ std::string comparison_header_html(const Comparison& comparison,
                         remark.empty() ? "" : fmt::format(" <small>{}</small>", escaped(remark)));
   };
   fact("arms", comparison.arms.size(), "baseline " + comparison.arms[comparison.baseline].name);
-  fact("recordings", comparison.recordings.size());
+  const std::size_t recordings = distinct_recordings(comparison).size();
+  fact("recordings", recordings,
+       recordings == comparison.recordings.size()
+           ? ""
+           : fmt::format("under {} names", comparison.recordings.size()));
   fact("seeds", comparison.seeds.size(), comparison.seeds.size() > 1 ? "averaged" : "");
   fact("metrics", comparison.metrics.size());
   const std::size_t failed = cells_that(comparison, CellStatus::kFailed);
@@ -124,8 +128,12 @@ std::string comparison_provenance_html(const Comparison& comparison) {
   html +=
       "</tbody></table>\n<table><thead><tr><th>recording</th><th>sets</th></tr></thead><tbody>\n";
   for (const ComparedRecording& recording : comparison.recordings)
-    html += fmt::format("<tr><td>{}</td><td><code>{}</code></td></tr>\n", escaped(recording.name),
-                        escaped(joined(recording.overrides)));
+    html += fmt::format(
+        "<tr><td>{}{}</td><td><code>{}</code></td></tr>\n", escaped(recording.name),
+        recording.same_as.empty()
+            ? ""
+            : fmt::format("<br/><small>the same as {}</small>", escaped(recording.same_as)),
+        escaped(joined(recording.overrides)));
   return html + "</tbody></table></section>\n";
 }
 

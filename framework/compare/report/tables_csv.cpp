@@ -42,7 +42,7 @@ class Csv {
 
 Csv& add_cell(Csv& csv, const Comparison& comparison, const ComparedCell& cell) {
   return csv.add(comparison.recordings[cell.recording].name)
-      .add(std::uint64_t{comparison.seeds[cell.seed]})
+      .add(std::uint64_t{cell.run_seed})
       .add(comparison.arms[cell.arm].name)
       .add(std::string(words::word_for(cell.status, words::kStatuses)));
 }
@@ -75,8 +75,8 @@ std::string verdicts_csv(const Comparison& comparison, const std::vector<ArmVerd
           .add(std::string(words::word_for(measure.verdict, words::kVerdicts)))
           .add(std::string(weight_name(measure)))
           .add(any ? measure.mean_difference : none)
-          .add(any ? measure.interval.low : none)
-          .add(any ? measure.interval.high : none)
+          .add(measure.has_interval() ? measure.interval.low : none)
+          .add(measure.has_interval() ? measure.interval.high : none)
           .add(any ? measure.baseline_mean : none)
           .add(any ? measure.arm_mean : none)
           .add(tested ? measure.probability : none)
@@ -120,7 +120,7 @@ std::string timings_csv(const Comparison& comparison) {
   for (const TimedPair& timed : comparison.timings)
     for (std::size_t i = 0; i < timed.arm_seconds.size() && i < timed.baseline_seconds.size(); ++i)
       csv.add(comparison.recordings[timed.recording].name)
-          .add(std::uint64_t{comparison.seeds[timed.seed]})
+          .add(std::uint64_t{comparison.cell(timed.arm, timed.recording, timed.seed).run_seed})
           .add(comparison.arms[timed.arm].name)
           .add(std::uint64_t{i})
           .add(timed.baseline_seconds[i])

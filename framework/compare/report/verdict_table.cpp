@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "framework/compare/remarks.hpp"
 #include "framework/compare/report/finding.hpp"
 #include "framework/compare/report/marks.hpp"
 #include "framework/report/page/html.hpp"
@@ -30,17 +31,19 @@ std::string excluded_title(const ComparedMeasure& measure) {
   return title;
 }
 
-std::string row(const ComparedMetric& metric, const ComparedMeasure& measure) {
+std::string row(const ComparedMetric& metric, const ComparedMeasure& measure,
+                const std::string& losses) {
   const VerdictMark mark = mark_of(measure);
   const std::size_t count = measure.differences.size();
-  const double width = measure.interval.high - measure.interval.low;
+  const double width = measure.has_interval() ? measure.interval.high - measure.interval.low : 0;
   const auto mean = [&](double value) {
     return count == 0 ? std::string("–") : to_width(value, width);
   };
   const std::string left_out =
       measure.excluded.empty()
           ? ""
-          : fmt::format(" <small>of {}</small>", count + measure.excluded.size());
+          : fmt::format(" <small>of {}{}</small>", count + measure.excluded.size(),
+                        losses.empty() ? "" : "; " + escaped(losses));
   return fmt::format(
       "<tr>{}<td class=\"said {}\"><b>{}</b> {}</td><td class=\"n\">{}</td><td "
       "class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
@@ -59,7 +62,8 @@ std::string remark_html(const std::vector<ArmVerdicts>& verdicts) {
   std::string text =
       "Differences are means over recordings, seeds averaged first, turned so that above 0 the arm "
       "is better; brackets hold the true mean difference with 95 % confidence (BCa bootstrap of "
-      "10 000 resamples, widened for few recordings). Chance: that equal arms differ as much "
+      "10 000 resamples, widened for few recordings), and are empty below six recordings: "
+      "resampling so few values says nothing of others. Chance: that equal arms differ as much "
       "(sign flips)";
   if (tests > 1)
     text += fmt::format(
@@ -70,6 +74,13 @@ std::string remark_html(const std::vector<ArmVerdicts>& verdicts) {
          ". Better or worse: 0 lies outside the brackets and the adjusted chance is below 0.05. It "
          "matters: all of the brackets lies beyond δ. The same: all of it lies within ±δ. No "
          "difference shown does not mean that there is none.</p>\n";
+}
+
+std::string is_another(const Comparison& comparison, const ArmVerdicts& arm) {
+  const std::string& copied = comparison.arms[arm.arm].same_as;
+  if (!copied.empty()) return fmt::format(" is {}", escaped(copied));
+  if (!arm.twin) return {};
+  return fmt::format(" left the same as {}", escaped(comparison.arms[*arm.twin].name));
 }
 
 }  // namespace
@@ -88,11 +99,11 @@ std::string verdict_table_html(const Comparison& comparison,
         "class=\"n\">difference [95 %]</th><th class=\"n\">{}</th><th class=\"n\">{}</th><th "
         "class=\"n\">chance</th><th class=\"n\">adjusted</th><th class=\"n\">recordings</th>"
         "</tr></thead>\n<tbody>",
-        escaped(compared.name),
-        compared.same_as.empty() ? "" : fmt::format(" is {}", escaped(compared.same_as)),
-        escaped(baseline), escaped(compared.name));
+        escaped(compared.name), is_another(comparison, arm), escaped(baseline),
+        escaped(compared.name));
+    const std::string losses = losses_text(comparison, arm.arm);
     for (std::size_t i = 0; i < arm.measures.size(); ++i)
-      html += row(comparison.metrics[i], arm.measures[i]);
+      html += row(comparison.metrics[i], arm.measures[i], losses);
     html += "</tbody>\n";
   }
   return html + "</table></div>\n" + remark_html(verdicts) + "</section>\n";

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "framework/compare/remarks.hpp"
 #include "framework/compare/report/downloads.hpp"
 #include "framework/compare/report/finding.hpp"
 #include "framework/compare/words.hpp"
@@ -29,7 +30,9 @@ Json measure_json(const ComparedMeasure& measure) {
                                               measure.verdict == Verdict::kWorse)}};
   if (!measure.differences.empty()) {
     json["difference"] = number(measure.mean_difference);
-    json["interval"] = {number(measure.interval.low), number(measure.interval.high)};
+    json["interval"] = measure.has_interval()
+                           ? Json{number(measure.interval.low), number(measure.interval.high)}
+                           : Json(nullptr);
     json["baseline_mean"] = number(measure.baseline_mean);
     json["arm_mean"] = number(measure.arm_mean);
   }
@@ -47,12 +50,20 @@ Json measure_json(const ComparedMeasure& measure) {
   return json;
 }
 
+Json losses_json(const Losses& losses) {
+  return {{"recordings", losses.recordings},
+          {"arm_failed", losses.arm_failed},
+          {"arm_lacks", losses.arm_lacks},
+          {"baseline_failed", losses.baseline_failed},
+          {"baseline_lacks", losses.baseline_lacks}};
+}
+
 Json run_json_of(const Comparison& comparison, const ComparedCell& cell) {
   Json measures = Json::object();
   for (std::size_t i = 0; i < cell.measures.size() && i < comparison.metrics.size(); ++i)
     measures[comparison.metrics[i].name] = number(cell.measures[i]);
   return {{"recording", comparison.recordings[cell.recording].name},
-          {"seed", comparison.seeds[cell.seed]},
+          {"seed", cell.run_seed},
           {"arm", comparison.arms[cell.arm].name},
           {"status", words::word_for(cell.status, words::kStatuses)},
           {"measures", measures}};
@@ -60,7 +71,7 @@ Json run_json_of(const Comparison& comparison, const ComparedCell& cell) {
 
 Json timed_json(const Comparison& comparison, const TimedPair& timed) {
   return {{"recording", comparison.recordings[timed.recording].name},
-          {"seed", comparison.seeds[timed.seed]},
+          {"seed", comparison.cell(timed.arm, timed.recording, timed.seed).run_seed},
           {"arm", comparison.arms[timed.arm].name},
           {"baseline_seconds", timed.baseline_seconds},
           {"arm_seconds", timed.arm_seconds}};
@@ -79,9 +90,12 @@ std::string verdicts_json(const Comparison& comparison, const std::vector<ArmVer
   for (const ArmVerdicts& arm : verdicts) {
     Json measures = Json::array();
     for (const ComparedMeasure& measure : arm.measures) measures.push_back(measure_json(measure));
-    found.push_back({{"arm", comparison.arms[arm.arm].name},
-                     {"finding", finding_text(comparison, arm)},
-                     {"metrics", measures}});
+    found.push_back(
+        {{"arm", comparison.arms[arm.arm].name},
+         {"finding", finding_text(comparison, arm)},
+         {"same_outputs_as", arm.twin ? Json(comparison.arms[*arm.twin].name) : Json(nullptr)},
+         {"lost", losses_json(losses_of(comparison, arm.arm))},
+         {"metrics", measures}});
   }
   for (const Exclusion& left_out : comparison.exclusions)
     exclusions.push_back(

@@ -1,5 +1,6 @@
 #include "framework/compare/statistics/verdict.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/compare/statistics/holm.hpp"
@@ -75,6 +76,11 @@ bool enough(std::size_t recordings, std::size_t tests) {
 
 }  // namespace
 
+bool ComparedMeasure::all_equal() const {
+  return differences.size() > 1 && std::all_of(differences.begin(), differences.end(),
+                                               [&](double d) { return d == differences.front(); });
+}
+
 bool ComparedMeasure::can_show() const { return enough(differences.size(), tests); }
 
 std::size_t recordings_needed(std::size_t tests) {
@@ -122,6 +128,8 @@ std::string text_of(const ComparedMeasure& compared) {
       return "the same";
     case Verdict::kNoDifferenceShown:
       return "no difference shown";
+    case Verdict::kNoFigure:
+      return "no usable figure on any recording";
   }
   return "";
 }

@@ -33,6 +33,7 @@ enum class Verdict : int {
   kWorse,              ///< the same, the other way
   kSame,               ///< the interval lies within +- delta
   kNoDifferenceShown,  ///< anything else: not that there is none
+  kNoFigure,           ///< on no recording do both have one, and none is left to run
 };
 
 /// Whether a difference that was shown is large enough to care.
@@ -42,12 +43,15 @@ enum class Weight : int {
   kNegligible,  ///< none of it: surely there, surely small
 };
 
+/// Fewer say nothing: six that agree have a chance of 2 / 64.
+constexpr std::size_t kLeastRecordings = 6;
+
 /// A measure compared. Differences are arm - baseline, turned so that above 0 the arm is better.
 struct ComparedMeasure {
   std::string measure;
   Verdict verdict = Verdict::kNoDifferenceShown;
-  Weight weight = Weight::kUnclear;  ///< of one that is better or worse
-  double smallest_that_matters = 0;  ///< delta; 0: not stated, and nothing is said of weight
+  Weight weight = Weight::kUnclear;        ///< of one that is better or worse
+  double smallest_that_matters = 0;        ///< delta; 0: not stated, and nothing is said of weight
   double baseline_mean = 0, arm_mean = 0;  ///< over the recordings that count
   double mean_difference = 0;
   Interval interval;                    ///< of the mean difference, 95 %: small_sample_interval
@@ -59,11 +63,13 @@ struct ComparedMeasure {
   std::vector<std::string> excluded;    ///< recordings with a measure that is not finite
 
   bool matters() const { return weight == Weight::kMatters; }
+  /// Whether the interval may be believed: resampling fewer than six values says nothing.
+  bool has_interval() const { return differences.size() >= kLeastRecordings; }
+  /// Whether there are several differences, and all are the same to the last bit.
+  bool all_equal() const;
   /// Whether so few recordings can show anything at all beside so many tests.
   bool can_show() const;
 };
-
-constexpr std::size_t kLeastRecordings = 6;
 
 /// How many recordings it takes before a difference that all of them agree on can be shown beside
 /// so many tests: 6 for one, 7 for two or three, 10 for up to 25.

@@ -18,7 +18,7 @@ Comparison sample() {
   made.baseline = 1;
   made.arms = {{"new", {"roads.use=topology/voronoi"}, {"roads = topology/voronoi()"}, "old"},
                {"old", {}, {}, ""}};
-  made.recordings = {{"pit", {"seed=7"}}};
+  made.recordings = {{"pit", {"seed=7"}, {}}};
   made.seeds = {0, 5};
   made.metrics = {{"apls", "score", "apls", Direction::kLower, 0.01, "m"}};
   made.cells = empty_cells(made);

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "framework/compare/equal_recordings.hpp"
+
 namespace stope {
 namespace {
 
@@ -14,7 +16,7 @@ Comparison table(const std::vector<std::string>& recordings,
                  const std::vector<std::uint64_t>& seeds) {
   Comparison made;
   made.arms = {{"old", {}, {}, {}}, {"new", {}, {}, {}}};
-  for (const std::string& name : recordings) made.recordings.push_back({name, {}});
+  for (const std::string& name : recordings) made.recordings.push_back({name, {}, {}});
   made.seeds = seeds;
   made.metrics = {{"apls", "score", "apls", Direction::kHigher, 0.01, ""}};
   made.cells = empty_cells(made);
@@ -58,6 +60,40 @@ TEST(MeasuredPairs, LeaveOutRecordingsWithoutAFiniteFigureOnBothArms) {
   const auto measured = measured_pairs(made, 1);
   ASSERT_EQ(measured[0].pairs.size(), 1U);
   EXPECT_EQ(measured[0].pairs[0].recording, "b");
+}
+
+TEST(EqualRecordings, AreFoundByTheirSourcesOrByAllThatTheyLeft) {
+  Comparison made = table({"a", "b", "c", "d"}, {0});
+  note_equal_recordings(made, {"1", "2", "1", "2", "3", "4", "5", ""});
+  EXPECT_EQ(made.recordings[1].same_as, "a");
+  EXPECT_EQ(made.recordings[2].same_as, "");
+  EXPECT_EQ(made.recordings[3].same_as, "") << "one of its sources may give other bytes each time";
+  for (std::size_t recording : {0U, 1U, 2U, 3U})
+    for (std::size_t arm : {0U, 1U})
+      finish(made.cell(arm, recording, 0), 0.5, recording == 2 ? "other" : "f00d");
+  const SourceKeys unlike{"1", "2", "1", "2", "3", "4", "5", "6"};
+  note_equal_recordings(made, unlike);
+  EXPECT_EQ(made.recordings[2].same_as, "") << "equal figures alone say nothing";
+  EXPECT_EQ(made.recordings[3].same_as, "a");
+  EXPECT_EQ(made.warnings.size(), 2U);
+  EXPECT_EQ(distinct_recordings(made), (std::vector<std::vector<std::size_t>>{{0, 1, 3}, {2}}));
+  note_equal_recordings(made, unlike);
+  EXPECT_EQ(made.warnings.size(), 2U) << "said once";
+}
+
+TEST(EqualRecordings, AreNotThoseOfWhichOnlyMeasuresAreKeptOrOneFailed) {
+  Comparison made = table({"a", "b"}, {0});
+  for (ComparedCell& cell : made.cells) {
+    finish(cell, 0.5, "f00d");
+    cell.artefacts[0].kind = CellArtefact::Kind::kMeasures;
+  }
+  const SourceKeys unlike{"1", "2", "3", "4"};
+  note_equal_recordings(made, unlike);
+  EXPECT_EQ(made.recordings[1].same_as, "");
+  for (ComparedCell& cell : made.cells) finish(cell, 0.5, "f00d");
+  made.cell(1, 1, 0).status = CellStatus::kFailed;
+  note_equal_recordings(made, unlike);
+  EXPECT_EQ(made.recordings[1].same_as, "");
 }
 
 TEST(OutputsIdentical, NeedsTheSameFilesAndMeasuresInAllCells) {

@@ -4,6 +4,7 @@
 
 #include "framework/compare/comparison_json.hpp"
 #include "framework/compare/metric_check.hpp"
+#include "framework/compare/verdicts.hpp"
 #include "framework/pipeline/check.hpp"
 #include "framework/report/run_report.hpp"
 #include "stope/error.hpp"
@@ -220,6 +221,82 @@ TEST_F(RunComparison, AStoreThatCannotBeUsedIsWarnedOfOnceAndCostsNoResult) {
       << made.warnings[0];
   EXPECT_TRUE(made.exclusions.empty());
   EXPECT_EQ(measured_pairs(made, 1)[0].pairs.size(), 2U);
+}
+
+TEST_F(RunComparison, OneRecordingUnderSevenNamesCountsOnce) {
+  const Comparison made = compare(std::string(kTwoArms) +
+                                  "recordings: {a: {seed: 1}, b: {seed: 1}, c: {seed: 1}, d: "
+                                  "{seed: 1}, e: {seed: 1}, f: {seed: 1}, g: {seed: 1}}\n" +
+                                  kMean);
+  EXPECT_EQ(distinct_recordings(made).size(), 1U);
+  EXPECT_EQ(made.recordings[0].same_as, "");
+  EXPECT_EQ(made.recordings[6].same_as, "a");
+  ASSERT_EQ(made.warnings.size(), 1U);
+  EXPECT_EQ(made.warnings[0],
+            "the recordings 'a', 'b', 'c', 'd', 'e', 'f' and 'g' are one and the same: what their "
+            "sources read or make does not differ. They count as one recording");
+  EXPECT_NE(log_.text.find(made.warnings[0]), std::string::npos) << "before anything runs";
+  EXPECT_EQ(verdicts_of(made)[0].measures[0].verdict, Verdict::kTooFew);
+}
+
+TEST_F(RunComparison, SeedsThatNobodyReadsMakeNoRecordings) {
+  write("map.txt", "1 2 4");
+  const std::string rest = std::string(kTwoArms) +
+                           "set: {draw.file: map.txt}\n"
+                           "recordings: {cross: {seed: [1, 2, 3, 4, 5, 6, 7, 8]}}\n" +
+                           kMean;
+  const Comparison made = compare(rest);
+  EXPECT_EQ(distinct_recordings(made).size(), 1U);
+  ASSERT_EQ(made.warnings.size(), 1U);
+  EXPECT_NE(made.warnings[0].find("left the very same files and figures"), std::string::npos);
+  EXPECT_EQ(verdicts_of(made)[0].measures[0].verdict, Verdict::kTooFew);
+  EXPECT_EQ(compare(rest).warnings, made.warnings) << "nothing is said twice";
+}
+
+TEST_F(RunComparison, RecordingsThatDifferAreNotTakenForOne) {
+  const Comparison made = compare(std::string(kTwoArms) +
+                                  "recordings: {cross: {seed: [1, 2, 3, 4, 5, 6, 7]}}\n" + kMean);
+  EXPECT_EQ(distinct_recordings(made).size(), 7U);
+  EXPECT_TRUE(made.warnings.empty());
+}
+
+TEST_F(RunComparison, ASeedThatARecordingSetsIsTheOneThatIsTold) {
+  const Comparison made =
+      compare("arms: {one: , broken: {change.fails: true}}\nrecordings: {cross: {seed: [3, 4]}}\n" +
+              std::string(kMean));
+  EXPECT_EQ(made.cell(0, 1, 0).run_seed, 4U);
+  ASSERT_EQ(made.exclusions.size(), 2U);
+  EXPECT_EQ(made.exclusions[1].seed, 4U);
+  EXPECT_EQ(made.cell(1, 1, 0).folder, "arms/broken/seed=4/4");
+}
+
+TEST_F(RunComparison, FoldersOfOthersAreLeftAlone) {
+  std::filesystem::create_directories(folder() / "out");
+  write("out/run.json", "{}");
+  write("out/report.html", "mine");
+  const std::string experiment = std::string(kTwoArms) + kMean;
+  try {
+    compare(experiment);
+    FAIL() << "it was written into";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("is neither empty nor the folder of a comparison"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(read(folder() / "out/report.html"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(folder() / "out/arms"));
+  std::filesystem::remove_all(folder() / "out");
+  std::filesystem::create_directories(folder() / "out/.scratch.stope-part");
+  EXPECT_TRUE(compare(experiment).complete) << "what a killed comparison left is no hindrance";
+}
+
+TEST_F(RunComparison, SaysBeforeItRunsThatRecordingsAreTooFew) {
+  compare(std::string(kTwoArms) + kMean);
+  EXPECT_EQ(log_.text.rfind("One recording cannot show any difference beside one test", 0), 0U)
+      << log_.text;
+  log_.text.clear();
+  compare(std::string(kTwoArms) + kMean);
+  EXPECT_EQ(log_.text.find("cannot show"), std::string::npos) << "nothing is left to spend";
 }
 
 TEST_F(RunComparison, SeedsAndRecordingsMakeRunsOfTheirOwn) {

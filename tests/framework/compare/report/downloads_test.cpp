@@ -38,6 +38,27 @@ TEST(Downloads, MeasuresAreALineACellAndMetricEmptyWhereThereIsNone) {
   EXPECT_EQ(lines[7], "pit-1,0,watershed,failed,apls,,\r");
 }
 
+TEST(Downloads, NameTheSeedThatTheRunHad) {
+  Comparison comparison = made::comparison_in("", {2, 1, 1, 0.3, "n", false});
+  for (ComparedCell& cell : comparison.cells) cell.run_seed = 7;
+  comparison.timings = {{1, 0, 0, {1.5}, {0.5}}};
+  EXPECT_EQ(lines_of(measures_csv(comparison))[1].rfind("pit-0,7,watershed,done,", 0), 0U);
+  EXPECT_EQ(lines_of(timings_csv(comparison))[1], "pit-0,7,voronoi,0,1.5,0.5\r");
+  const auto json = nlohmann::json::parse(verdicts_json(comparison, verdicts_of(comparison)));
+  EXPECT_EQ(json["runs"][0]["seed"], 7);
+}
+
+TEST(Downloads, GiveNoIntervalOfFewerThanSix) {
+  const Comparison comparison = made::comparison_in("", {2, 5, 1, 0.3, "n", false});
+  const auto verdicts = verdicts_of(comparison);
+  const auto json = nlohmann::json::parse(verdicts_json(comparison, verdicts));
+  EXPECT_TRUE(json["verdicts"][0]["metrics"][0]["interval"].is_null());
+  EXPECT_TRUE(json["verdicts"][0]["metrics"][0]["difference"].is_number());
+  const std::string line = lines_of(verdicts_csv(comparison, verdicts))[1];
+  EXPECT_NE(line.find(",too_few,,"), std::string::npos);
+  EXPECT_NE(line.find(",,,0."), std::string::npos) << "low and high are empty: " << line;
+}
+
 TEST(Downloads, WhatWouldBreakALineIsQuoted) {
   Comparison comparison = made::comparison_in("", {2, 1, 1, 0.3, "n", false});
   comparison.metrics[0].unit = "a,\"b\"";

@@ -97,7 +97,7 @@ Comparison comparison_in(const std::filesystem::path& folder, const ComparisonSh
                          {fmt::format("roads = topology/{}(in: scans.truth_grid)", kArmNames[arm])},
                          {}});
   for (std::size_t i = 0; i < shape.recordings; ++i)
-    made.recordings.push_back({fmt::format("pit-{}", i), {fmt::format("pit.seed={}", i + 1)}});
+    made.recordings.push_back({fmt::format("pit-{}", i), {fmt::format("pit.seed={}", i + 1)}, {}});
   for (std::size_t i = 0; i < shape.seeds; ++i) made.seeds.push_back(i);
   made.metrics = {{"apls", "apls", "apls", Direction::kHigher, 0.02, ""},
                   {"detour", "detour", "detour_p95", Direction::kLower, 0.01, "m"},
@@ -108,6 +108,7 @@ Comparison comparison_in(const std::filesystem::path& folder, const ComparisonSh
       for (std::size_t arm = 0; arm < shape.arms; ++arm) {
         ComparedCell cell;
         cell.arm = arm, cell.recording = recording, cell.seed = seed;
+        cell.run_seed = made.seeds[seed];
         cell.status = CellStatus::kDone;
         cell.key = fmt::format("{:032x}", 1 + made.cells.size());
         cell.folder = fmt::format("arms/{}/pit-{}/{}", kArmNames[arm], recording, seed);

@@ -95,6 +95,24 @@ TEST(ComparisonPage, IsDrawnOfWhatIsThereSoFar) {
   EXPECT_NE(page.find("6 recordings are needed to say anything"), std::string::npos);
 }
 
+TEST(ComparisonPage, SaysWhereAnArmFailedAndThatRecordingsAreOne) {
+  Comparison comparison = made::comparison_in("", {2, 9, 1, 0.3, "n", false});
+  comparison.cell(1, 3, 0).status = CellStatus::kFailed;
+  comparison.recordings[8].same_as = "pit-0";
+  const std::string page = comparison_page(comparison);
+  EXPECT_NE(page.find("<small>of 8; voronoi failed on 1</small>"), std::string::npos);
+  EXPECT_NE(page.find("under 9 names"), std::string::npos);
+  EXPECT_NE(page.find("the same as pit-0"), std::string::npos);
+}
+
+TEST(ComparisonPage, DrawsNoIntervalOfFewerThanSix) {
+  const std::string few = comparison_page(made::comparison_in("", {2, 5, 1, 0.3, "n", false}));
+  const std::string enough = comparison_page(made::comparison_in("", {2, 6, 1, 0.3, "n", false}));
+  EXPECT_EQ(few.find("<line class=\"interval\""), std::string::npos);
+  EXPECT_NE(few.find("[–]"), std::string::npos);
+  EXPECT_NE(enough.find("<line class=\"interval\""), std::string::npos);
+}
+
 TEST(ComparisonPage, OfNothingIsStillAPage) {
   Comparison comparison;
   comparison.arms = {{"only", {}, {}, {}}};
