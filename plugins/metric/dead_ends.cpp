@@ -18,7 +18,7 @@ class DeadEnds final : public Map<Measures(RoadGraph, RoadGraph)> {
         .notes(
             "A dead end is a node at which one road ends. True and found ones are matched one to "
             "one, as many as can be. Recall is 1 if the truth has none, precision 1 if the graph "
-            "has none.")
+            "has none. Distances are those of matched ones, and no number if none is.")
         .ports("roads", "truth", "measures")
         .param("within", &Params::within, "m", more_than(0.0),
                "How far a found dead end may lie from the true one.");

@@ -18,7 +18,8 @@ class Junctions final : public Map<Measures(RoadGraph, RoadGraph)> {
         .notes(
             "A junction is a node at which three or more roads end. True and found ones are "
             "matched one to one, as many as can be. Recall is 1 if the truth has none, precision "
-            "1 if the graph has none.")
+            "1 if the graph has none. Distances are those of matched ones, and no number if none "
+            "is.")
         .ports("roads", "truth", "measures")
         .param("within", &Params::within, "m", more_than(0.0),
                "How far a found junction may lie from the true one.");

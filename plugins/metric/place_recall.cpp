@@ -1,6 +1,7 @@
 #include "plugins/metric/place_recall.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "plugins/metric/measure_list.hpp"
 #include "plugins/metric/node_matching.hpp"
@@ -41,7 +42,11 @@ PlaceRecall recall_places(const std::vector<Vector2>& truth, const std::vector<V
     result.mean_distance += pair.distance;
     result.max_distance = std::max(result.max_distance, pair.distance);
   }
-  if (result.matched > 0) result.mean_distance /= static_cast<double>(result.matched);
+  // Not 0: a graph in which nothing was found would look as if all lay in its very place.
+  if (result.matched == 0)
+    result.mean_distance = result.max_distance = std::numeric_limits<double>::quiet_NaN();
+  else
+    result.mean_distance /= static_cast<double>(result.matched);
   return result;
 }
 

@@ -12,7 +12,7 @@ namespace stope::metric {
 /// How well found places stand for true ones.
 struct PlaceRecall {
   std::size_t truth = 0, found = 0, matched = 0;
-  double mean_distance = 0, max_distance = 0;  ///< metres, of matched ones
+  double mean_distance = 0, max_distance = 0;  ///< metres, of matched ones; NaN without any
 
   /// 1 where there is nothing to find.
   double recall() const;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
 
 #include "plugins/metric/node_matching.hpp"
 #include "tests/plugins/metric/drawn_roads.hpp"
@@ -75,6 +78,17 @@ TEST(DeadEnds, AreFoundOnceEach) {
   EXPECT_DOUBLE_EQ(value_of(measures, "dead_end_precision"), 0.5);
   EXPECT_DOUBLE_EQ(value_of(measures, "dead_end_distance_mean"), 1.5);
   EXPECT_DOUBLE_EQ(value_of(measures, "dead_end_distance_max"), 3);
+}
+
+TEST(DeadEnds, DistancesOfNothingAreNoNumberAndNotPerfect) {
+  const RoadGraph ring = draw_roads({{{0, 0}, {20, 0}, {0, 20}, {0, 0}}});
+  for (const auto& [stage, what] : {std::pair(stope_stage_DeadEnds(), std::string("dead_end")),
+                                    {stope_stage_Junctions(), std::string("junction")}}) {
+    const Measures measures = measure(stage, ring, cross(), 5);
+    EXPECT_EQ(value_of(measures, what + "_recall"), 0);
+    EXPECT_TRUE(std::isnan(value_of(measures, what + "_distance_mean"))) << what;
+    EXPECT_TRUE(std::isnan(value_of(measures, what + "_distance_max"))) << what;
+  }
 }
 
 TEST(DeadEnds, OfARingThereAreNone) {
