@@ -77,19 +77,20 @@ inline std::size_t count_pieces(const RoadGraph& roads) {
 }
 
 /// Logs what was found. Without any road throws Error unless params.allow_empty; `why` ends the
-/// sentence "the map has free cells but no road that can be extracted: …".
+/// sentence "the map has free cells but no road that can be extracted: …", and `apart`, if given,
+/// "the roads are … networks of their own: …".
 inline void report_roads(const RoadGraph& roads, const ExtractionParams& params,
-                         std::string_view why, Context& context) {
+                         std::string_view why, Context& context, std::string apart = {}) {
   if (!roads.edges.empty()) {
     context.info(fmt::format("{} {} in {} {}", roads.edges.size(),
                              roads.edges.size() == 1 ? "road meets or ends" : "roads meet or end",
                              roads.nodes.size(), roads.nodes.size() == 1 ? "place" : "places"));
     const std::size_t pieces = count_pieces(roads);
+    if (apart.empty())
+      apart = fmt::format("no way wider than twice min_clearance ({} m) connects them",
+                          params.min_clearance);
     if (pieces > 1)
-      context.info(fmt::format(
-          "the roads are {} networks of their own: no way wider than twice min_clearance ({} m) "
-          "connects them",
-          pieces, params.min_clearance));
+      context.info(fmt::format("the roads are {} networks of their own: {}", pieces, apart));
     return;
   }
   const std::string sentence =

@@ -89,7 +89,7 @@ class RegionGrowing final
       ground_.reset();
       memory_ = {};
     }
-    report_regions(result, params, context);
+    report_regions(result, params, params.mode != "paper", context);
     return {std::move(result.roads), std::move(result.map)};
   }
 

@@ -59,7 +59,7 @@ class VoronoiRegions final
                                                         checkpoint)
                                      : divider_->full(grid, grid.changed.has_value(), checkpoint);
     if (grid.changed) last_ = context.index();
-    report_regions(result, params, context);
+    report_regions(result, params, true, context);
     return {std::move(result.roads), std::move(result.map)};
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 #include "plugins/topology/describe_extraction.hpp"
 #include "plugins/topology/regions/finish_regions.hpp"
@@ -39,9 +40,21 @@ inline RegionRoadsRule roads_rule(const ExtractionParams& params, const NetworkP
   return rule;
 }
 
-/// Logs what was found. Without any road throws Error unless params.allow_empty.
+/// Why regions fall into parts that do not touch, and what to do.
+inline std::string why_apart(const RegionsAndRoads& result) {
+  if (result.pieces == result.space_pieces) return "because free space does";
+  return fmt::format(
+      "although free space {}: {:.4f} of the free cells are in no region, and some of them lie "
+      "between; raise second_radius (in mode: paper, coverage) to close the gaps",
+      result.space_pieces == 1 ? "is one piece"
+                               : fmt::format("is {} pieces only", result.space_pieces),
+      1 - result.covered);
+}
+
+/// Logs what was found. Without any road throws Error unless params.allow_empty. `exact` says that
+/// roads lead wherever there is a way from region to region.
 inline void report_regions(const RegionsAndRoads& result, const ExtractionParams& params,
-                           Context& context) {
+                           bool exact, Context& context) {
   const std::size_t count = result.map.regions.size();
   context.info(fmt::format("{} {} cover {:.4f} of the free cells", count,
                            count == 1 ? "region" : "regions", result.covered));
@@ -54,19 +67,27 @@ inline void report_regions(const RegionsAndRoads& result, const ExtractionParams
         result.dropped == 1 ? "it" : "them"));
   if (result.pieces > 1)
     context.warn(fmt::format(
-        "the regions fall into {} parts that do not touch, because free space does: each part has "
-        "a graph of its own, and no road leads from one to another",
-        result.pieces));
+        "the regions fall into {} parts that do not touch, {}. Each part has a graph of its own, "
+        "and no road leads from one to another",
+        result.pieces, why_apart(result)));
   const std::string why =
-      count == 1 ? "it is one single region, which has nothing to be connected with; smaller "
-                   "regions give more, or check the map's resolution"
+      count == 0   ? "there is no region, because none grew; with smaller growth_radius and "
+                     "max_radius (in mode: paper, a larger coverage) some may"
+      : count == 1 ? "it is one single region, which has nothing to be connected with; smaller "
+                     "regions give more, or check the map's resolution"
       : result.neighbours == 0
           ? std::string("no two of its regions touch each other")
           : fmt::format(
                 "every way between two regions is narrower than twice min_clearance ({} "
                 "m); lower it, or check the map's resolution",
                 params.min_clearance);
-  report_roads(result.roads, params, why, context);
+  std::string apart;  // else as of all members
+  if (!exact || result.pieces != result.space_pieces)
+    apart = fmt::format(
+        "their regions do not touch, or touch or hang together only where it is narrower than "
+        "twice min_clearance ({} m)",
+        params.min_clearance);
+  report_roads(result.roads, params, why, context, std::move(apart));
 }
 
 }  // namespace stope::topology

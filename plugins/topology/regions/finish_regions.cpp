@@ -8,31 +8,43 @@
 
 #include "plugins/topology/disjoint_sets.hpp"
 #include "plugins/topology/for_each_band.hpp"
+#include "plugins/topology/regions/space_pieces.hpp"
 
 namespace stope::topology {
 namespace {
 
-/// The cell of a region nearest to a point that has at least half the region's best clearance: a
-/// bend's centre lies beside it or at its wall, where no road can start.
+/// The cell of a region nearest to a point that has most of the region's best clearance, and
+/// enough for a road if any has: a bend's centre lies beside it or at its wall, where no road can
+/// start.
 class NearestClearCell {
  public:
   NearestClearCell(const Ground& ground, const PaddedGrid<std::int32_t>& names,
                    const RegionSet& set, std::int32_t region,
-                   const std::vector<std::int32_t>& tiles)
-      : ground_(ground), names_(names), set_(set), region_(region) {
+                   const std::vector<std::int32_t>& tiles, const RegionRoadsRule& rule)
+      : ground_(ground),
+        names_(names),
+        set_(set),
+        region_(region),
+        least_(rule.least_distance(ground.frame().resolution)) {
     const TileSet geometry(ground.width(), ground.height());
+    std::int32_t best = 0;
     for (const std::int32_t tile : tiles)
       geometry.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
         for (CellIndex cell = first; cell < first + count; ++cell)
-          if (ground.squared(cell) > best_ && set.of(names[cell]) == region)
-            best_ = ground.squared(cell);
+          if (ground.squared(cell) > best && is_own(cell)) best = ground.squared(cell);
       });
+    wanted_ = std::max(share_of(best, rule.centre_share),
+                       std::min(best, rule.least_squared(ground.frame().resolution)));
   }
 
   ShapePoint find(const ShapePoint& point, const RegionShape& shape) const {
     const auto column = static_cast<std::int32_t>(std::lround(point.x));
     const auto row = static_cast<std::int32_t>(std::lround(point.y));
-    if (serves(column, row)) return point;
+    if (serves(column, row)) {
+      // Beside a cell's centre the clearance is another.
+      if (ground_.distance_at(point.x + 0.5, point.y + 0.5) >= least_) return point;
+      return {static_cast<double>(column), static_cast<double>(row)};
+    }
     std::int32_t left = shape.hull.front().x, right = left, bottom = shape.hull.front().y,
                  top = bottom;
     for (const HullPoint& corner : shape.hull) {
@@ -58,14 +70,17 @@ class NearestClearCell {
   bool serves(std::int32_t column, std::int32_t row) const {
     if (column < 0 || row < 0 || column >= ground_.width() || row >= ground_.height()) return false;
     const CellIndex cell = ground_.index(column, row);
-    return set_.of(names_[cell]) == region_ && ground_.free(cell) &&
-           ground_.squared(cell) >= best_ / 4;
+    return is_own(cell) && ground_.free(cell) && ground_.squared(cell) >= wanted_;
+  }
+  bool is_own(CellIndex cell) const {
+    return set_.of(names_[cell]) == region_ && !set_.is_cut_off(names_[cell]);
   }
   const Ground& ground_;
   const PaddedGrid<std::int32_t>& names_;
   const RegionSet& set_;
   std::int32_t region_;
-  std::int32_t best_ = 0;  ///< the region's largest squared clearance
+  double least_;             ///< distance from obstacles where roads can be
+  std::int32_t wanted_ = 0;  ///< squared clearance
 };
 
 std::vector<std::size_t> order_of(std::size_t count) {
@@ -117,9 +132,10 @@ void drop_small(RegionSet& set, const std::vector<Border>& borders,
 /// What is known of the regions: from the memo if all about a region is the same, else measured.
 std::vector<RegionMemo::Known> know(const Ground& ground, const PaddedGrid<std::int32_t>& names,
                                     const RegionSet& set, RegionParts& parts, RegionMemo& memo,
-                                    const TileSet* changed, std::int32_t reach,
+                                    const TileSet* changed, const RegionRoadsRule& rule,
                                     std::vector<std::uint8_t>& same, const Checkpoint& checkpoint) {
   std::vector<RegionMemo::Known> known(static_cast<std::size_t>(set.count));
+  const std::int32_t reach = rule.reach(ground.frame().resolution);
   TileSet near(ground.width(), ground.height());
   if (changed)
     for (const std::int32_t tile : changed->list())
@@ -131,6 +147,7 @@ std::vector<RegionMemo::Known> know(const Ground& ground, const PaddedGrid<std::
   for (std::size_t i = 0; i < known.size(); ++i) {
     const auto found = memo.regions.find(parts.members[i].front());
     same[i] = changed && found != memo.regions.end() && found->second.members == parts.members[i] &&
+              found->second.cut_off == parts.cut_off[i] &&
               std::none_of(parts.tiles[i].begin(), parts.tiles[i].end(),
                            [&](std::int32_t tile) { return near.has(tile); });
     if (same[i]) {
@@ -138,6 +155,7 @@ std::vector<RegionMemo::Known> know(const Ground& ground, const PaddedGrid<std::
       ++memo.reused;
     } else {
       known[i].members = std::move(parts.members[i]);
+      known[i].cut_off = std::move(parts.cut_off[i]);
     }
   }
   for_each_band(set.count, checkpoint, [&] {
@@ -147,7 +165,7 @@ std::vector<RegionMemo::Known> know(const Ground& ground, const PaddedGrid<std::
       const RegionShape shape = shape_of(ground, names, set, band + 1, parts.tiles[i]);
       known[i].cells = shape.cells;
       known[i].axes = shape.axes();
-      known[i].centre = NearestClearCell(ground, names, set, band + 1, parts.tiles[i])
+      known[i].centre = NearestClearCell(ground, names, set, band + 1, parts.tiles[i], rule)
                             .find(centre_of_gravity(shape.hull, shape.hull.front()), shape);
     };
   });
@@ -217,8 +235,7 @@ RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32
   result.neighbours = borders.size();
   std::vector<std::uint8_t> same(static_cast<std::size_t>(set.count), 0);
   std::vector<RegionMemo::Known> known =
-      know(ground, names, set, parts, before, changed, rule.reach(ground.frame().resolution), same,
-           checkpoint);
+      know(ground, names, set, parts, before, changed, rule, same, checkpoint);
   std::vector<RegionRoad> roads =
       region_roads(ground, names, set, borders, known, same, rule, before, checkpoint);
   result.roads = graph_of_roads(ground.frame(), known, borders, roads, rule);
@@ -259,6 +276,11 @@ RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32
   result.covered = ground.free_cells() == 0
                        ? 0
                        : static_cast<double>(covered) / static_cast<double>(ground.free_cells());
+  // Where every free cell has a region, the regions' pieces are those of free space.
+  result.space_pieces = result.pieces > 1 && covered + result.dropped_cells <
+                                                 static_cast<std::int64_t>(ground.free_cells())
+                            ? count_space_pieces(ground, names, set, checkpoint)
+                            : result.pieces;
   if (memo) remember(std::move(known), std::move(roads), borders, before);
   return result;
 }

@@ -84,6 +84,11 @@ inline std::array<CellIndex, 8> neighbour_steps(CellIndex stride) {
   return {1, stride, -1, -stride, stride + 1, stride - 1, -stride - 1, -stride + 1};
 }
 
+/// The square of a share of a distance, of which the square is given.
+inline std::int32_t share_of(std::int32_t squared, double share) {
+  return static_cast<std::int32_t>(share * share * squared);
+}
+
 /// Whether of two cells the first is uphill: the clearer one, of equally clear ones the earlier.
 inline bool is_uphill(const Ground& ground, CellIndex a, CellIndex b) {
   const std::int32_t first = ground.squared(a), second = ground.squared(b);

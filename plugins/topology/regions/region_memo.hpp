@@ -14,14 +14,14 @@ namespace stope::topology {
 
 /// A road from one region's centre to that of another, in cells.
 struct RegionRoad {
-  std::vector<LinePoint> line;
-  double narrowest = 0, median = 0;  ///< distance in cells
+  std::vector<LinePoint> line;  ///< none if there is no way wide enough
+  double median = 0;            ///< distance in cells
 };
 
 /// What was found out about the regions of a map, for those of the next that are the same.
 struct RegionMemo {
   struct Known {
-    std::vector<CellIndex> members;
+    std::vector<CellIndex> members, cut_off;
     std::int64_t cells = 0;
     Axes axes;
     ShapePoint centre;

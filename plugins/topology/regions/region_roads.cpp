@@ -32,15 +32,16 @@ bool is_free(const Ground& ground, const LinePoint& point) {
   return ground.free(ground.index(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)));
 }
 
-bool stays_free(const Ground& ground, const std::vector<LinePoint>& line) {
+/// Whether a line is at least this far from the centres of obstacle cells everywhere.
+bool stays_clear(const Ground& ground, const std::vector<LinePoint>& line, double least) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double length = distance_between(line[i - 1], line[i]);
     const auto samples = static_cast<std::int32_t>(std::ceil(4 * length)) + 1;
     for (std::int32_t k = 0; k <= samples; ++k) {
       const double part = static_cast<double>(k) / samples;
-      if (!is_free(ground, {line[i - 1].x + part * (line[i].x - line[i - 1].x),
-                            line[i - 1].y + part * (line[i].y - line[i - 1].y), 0}))
-        return false;
+      const double x = line[i - 1].x + part * (line[i].x - line[i - 1].x);
+      const double y = line[i - 1].y + part * (line[i].y - line[i - 1].y);
+      if (!is_free(ground, {x, y, 0}) || ground.distance_at(x, y) < least) return false;
     }
   }
   return true;
@@ -57,20 +58,27 @@ std::vector<LinePoint> simplified(const std::vector<LinePoint>& line, double tol
   return result;
 }
 
-RegionRoad road_along(const Ground& ground, const std::vector<LinePoint>& cells, double tolerance) {
-  std::vector<LinePoint> smooth = smooth_line(cells, kSmoothingReach, kSmoothingShare);
-  for (LinePoint& point : smooth) point.distance = ground.distance_at(point.x, point.y);
+/// The line along these cells, as smooth as it may be without getting nearer than `least` to an
+/// obstacle where the cells do not.
+RegionRoad road_along(const Ground& ground, const std::vector<LinePoint>& cells, double tolerance,
+                      double least) {
   RegionRoad road;
-  road.line = simplified(smooth, std::max(tolerance, kRasterSteps));
-  if (!stays_free(ground, road.line)) {
+  std::vector<LinePoint> smooth;
+  const auto drawn = [&](double share) {
+    smooth = smooth_line(cells, kSmoothingReach, share);
+    for (LinePoint& point : smooth) point.distance = ground.distance_at(point.x, point.y);
+    road.line = simplified(smooth, std::max(tolerance, kRasterSteps));
+    return stays_clear(ground, road.line, least);
+  };
+  if (!drawn(kSmoothingShare) && !drawn(0)) {
     smooth = cells;
     road.line = simplified(cells, 0);
   }
   std::vector<double> distances;
   for (const LinePoint& point : smooth) distances.push_back(point.distance);
-  std::sort(distances.begin(), distances.end());
-  road.narrowest = distances.front();
-  road.median = distances[distances.size() / 2];
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  road.median = *middle;
   return road;
 }
 
@@ -101,6 +109,17 @@ std::int32_t RegionRoadsRule::reach(double resolution) const {
       2);
 }
 
+double RegionRoadsRule::least_distance(double resolution) const {
+  // Clearance counts from an obstacle's edge, distance from its cell's centre.
+  constexpr double kRounding = 1e-9, kMost = 30000;
+  return std::min(kMost, min_clearance / resolution + 0.5 - kRounding);
+}
+
+std::int32_t RegionRoadsRule::least_squared(double resolution) const {
+  const double distance = least_distance(resolution);
+  return std::max(1, static_cast<std::int32_t>(std::ceil(distance * distance)));
+}
+
 std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std::int32_t>& names,
                                      const RegionSet& set, const std::vector<Border>& borders,
                                      std::vector<RegionMemo::Known>& known,
@@ -125,8 +144,9 @@ std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std:
   }
   if (!before.search)
     before.search = std::make_unique<WaySearchCells>(ground.width(), ground.height());
+  const std::int32_t least = rule.least_squared(ground.frame().resolution);
   for_each_band(static_cast<std::int32_t>(count), checkpoint, [&] {
-    return [&, finder = std::make_shared<WaysToDoors>(ground, names, set, *before.search)](
+    return [&, finder = std::make_shared<WaysToDoors>(ground, names, set, *before.search, least)](
                std::int32_t i) {
       const auto region = static_cast<std::size_t>(i);
       RegionMemo::Known& now = known[region];
@@ -137,6 +157,7 @@ std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std:
     };
   });
   std::vector<RegionRoad> roads(borders.size());
+  const double least_distance = rule.least_distance(ground.frame().resolution);
   const double tolerance = rule.tolerance / ground.frame().resolution;
   for_each_band(static_cast<std::int32_t>(borders.size()), checkpoint, [&] {
     return [&](std::int32_t i) {
@@ -152,6 +173,7 @@ std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std:
       }
       const auto& out = first.ways[use.out];
       const auto& in = second.ways[use.in];
+      if (out.empty() || in.empty()) return;
       std::vector<LinePoint> cells;
       for (auto cell = out.rbegin(); cell != out.rend(); ++cell)
         cells.push_back(at_cell(ground, *cell));
@@ -162,7 +184,7 @@ std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std:
       };
       centre_at(cells.front(), first.centre);
       centre_at(cells.back(), second.centre);
-      road = road_along(ground, cells, tolerance);
+      road = road_along(ground, cells, tolerance, least_distance);
     };
   });
   return roads;
@@ -179,7 +201,7 @@ RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<RegionMemo::K
   std::vector<Link> links;
   std::vector<std::size_t> wide;
   for (std::size_t i = 0; i < roads.size(); ++i) {
-    if ((roads[i].narrowest - 0.5) * frame.resolution < rule.min_clearance) continue;
+    if (roads[i].line.empty()) continue;
     double length = 0;
     for (std::size_t k = 1; k < roads[i].line.size(); ++k)
       length += distance_between(roads[i].line[k - 1], roads[i].line[k]);

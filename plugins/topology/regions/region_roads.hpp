@@ -12,18 +12,24 @@ namespace stope::topology {
 enum class Network { kAll, kSpanningTree, kSpanner };
 
 struct RegionRoadsRule {
-  double min_clearance = 0;  ///< metres; roads that get closer to an obstacle are left out
+  double min_clearance = 0;  ///< metres; roads keep at least as far from obstacles
   double tolerance = 0.2;    ///< metres a simplified road may be off
   Network network = Network::kAll;
-  double stretch = 1.5;  ///< of a spanner
+  double stretch = 1.5;       ///< of a spanner
+  double centre_share = 0.5;  ///< of a region's best clearance that its centre has at least
 
   /// How far from the cells of its two regions a road depends on the map, in cells.
   std::int32_t reach(double resolution) const;
+  /// Least distance of a road from the centre of an obstacle cell, in cells, and the least square
+  /// of one that a cell must have; at least 1.
+  double least_distance(double resolution) const;
+  std::int32_t least_squared(double resolution) const;
 };
 
 /// A road across each border, in their order: from centre to centre through the clearest place of
 /// the border, within the two regions. Each half is straight if that keeps enough clearance, else
-/// the way of least length over clearance. Regions are `known` up to their doors and ways, which
+/// the way of least length over clearance. Without a line if there is no way that keeps to
+/// min_clearance. Regions are `known` up to their doors and ways, which
 /// are found if they are not yet; `same` tells of which regions and all about them are as they were
 /// when `before` was.
 std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std::int32_t>& names,

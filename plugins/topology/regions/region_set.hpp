@@ -14,13 +14,20 @@ struct RegionSet {
   std::vector<std::int32_t> of_name;
   /// By name: a cell that tells which it is, also after a change of the map.
   std::vector<CellIndex> key_of_name;
+  /// By name, or none at all: whether only ways too narrow for roads join it with the rest of its
+  /// region. Those that are have no other wide way out.
+  std::vector<std::uint8_t> cut_off = {};
 
+  bool is_cut_off(std::int32_t name) const {
+    return !cut_off.empty() && cut_off[static_cast<std::size_t>(name)] != 0;
+  }
   std::int32_t of(std::int32_t name) const { return of_name[static_cast<std::size_t>(name)]; }
 };
 
 /// What regions 1 … count consist of.
 struct RegionParts {
   std::vector<std::vector<CellIndex>> members;   ///< keys of their names, increasing
+  std::vector<std::vector<CellIndex>> cut_off;   ///< … of those that are
   std::vector<std::vector<std::int32_t>> tiles;  ///< in which they have cells, increasing
   std::vector<std::int64_t> free_cells;
 };
@@ -29,6 +36,7 @@ inline RegionParts parts_of_regions(const TileParts& tiles, const RegionSet& set
   RegionParts parts;
   const auto count = static_cast<std::size_t>(set.count);
   parts.members.resize(count);
+  parts.cut_off.resize(count);
   parts.tiles.resize(count);
   parts.free_cells.resize(count, 0);
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
@@ -42,10 +50,16 @@ inline RegionParts parts_of_regions(const TileParts& tiles, const RegionSet& set
         own.push_back(static_cast<std::int32_t>(tile));
     }
   }
-  for (std::size_t name = 0; name < set.of_name.size(); ++name)
-    if (const std::int32_t region = set.of_name[name]; region != 0)
-      parts.members[static_cast<std::size_t>(region) - 1].push_back(set.key_of_name[name]);
+  for (std::size_t name = 0; name < set.of_name.size(); ++name) {
+    const std::int32_t region = set.of_name[name];
+    if (region == 0) continue;
+    const auto place = static_cast<std::size_t>(region) - 1;
+    parts.members[place].push_back(set.key_of_name[name]);
+    if (set.is_cut_off(static_cast<std::int32_t>(name)))
+      parts.cut_off[place].push_back(set.key_of_name[name]);
+  }
   for (auto& members : parts.members) std::sort(members.begin(), members.end());
+  for (auto& members : parts.cut_off) std::sort(members.begin(), members.end());
   return parts;
 }
 

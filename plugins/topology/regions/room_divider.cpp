@@ -61,7 +61,10 @@ struct RoomDivider::State {
 
 RoomDivider::RoomDivider(const ExtractionParams& extraction, const Rule& rule,
                          const RegionRoadsRule& roads)
-    : extraction_(extraction), rule_(rule), roads_(roads) {}
+    : extraction_(extraction), rule_(rule), roads_(roads) {
+  // A piece of road between two doors is as wide as the road, so its clearest place is the middle.
+  roads_.centre_share = 0.8;
+}
 RoomDivider::~RoomDivider() = default;
 RoomDivider::RoomDivider(RoomDivider&&) noexcept = default;
 RoomDivider& RoomDivider::operator=(RoomDivider&&) noexcept = default;
@@ -95,9 +98,10 @@ RegionsAndRoads RoomDivider::finish(State& state, const TileSet* changed,
                                     const Checkpoint& checkpoint) const {
   const double resolution = state.ground.frame().resolution;
   const double least_area = rule_.min_region_area / (resolution * resolution);
-  const RegionSet rooms = join_at_doors(
-      state.ground, state.basins, state.tiles, state.contacts,
-      {rule_.door_ratio, rule_.similar_ratio, rule_.hub_ratio, least_area}, checkpoint);
+  const RegionSet rooms = join_at_doors(state.ground, state.basins, state.tiles, state.contacts,
+                                        {rule_.door_ratio, rule_.similar_ratio, rule_.hub_ratio,
+                                         least_area, roads_.least_squared(resolution)},
+                                        checkpoint);
   return finish_regions(state.ground, state.basins.cells(), state.tiles, state.contacts, rooms,
                         least_area, roads_, checkpoint, &state.memo, changed);
 }

@@ -21,11 +21,17 @@ class WaySearchCells {
 /// Finds ways within regions, one after the other.
 class WaysToDoors {
  public:
+  /// Ways lead over cells of at least a squared clearance of `least` only, which is 1 or more.
   WaysToDoors(const Ground& ground, const PaddedGrid<std::int32_t>& names, const RegionSet& set,
-              WaySearchCells& cells)
-      : ground_(ground), names_(names), set_(set), cost_(cells.cost_), back_(cells.back_) {}
-  /// For each of the cells `doors` the cells from it to `centre`, both included; all lie in one
-  /// region, which holds together.
+              WaySearchCells& cells, std::int32_t least)
+      : ground_(ground),
+        names_(names),
+        set_(set),
+        cost_(cells.cost_),
+        back_(cells.back_),
+        least_(least) {}
+  /// For each of the cells `doors` the cells from it to `centre`, both included; none if such cells
+  /// of the region, in which all lie, do not join the two.
   std::vector<std::vector<CellIndex>> find(CellIndex centre, const std::vector<CellIndex>& doors);
 
  private:
@@ -38,6 +44,7 @@ class WaysToDoors {
   const RegionSet& set_;
   PaddedGrid<float>& cost_;
   PaddedGrid<std::uint8_t>& back_;
+  std::int32_t least_;
   std::vector<CellIndex> reached_;
 };
 

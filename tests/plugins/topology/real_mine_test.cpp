@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "plugins/topology/extract_roads.hpp"
+#include "plugins/topology/regions/room_divider.hpp"
 #include "tests/plugins/topology/graph_checks.hpp"
 #include "tests/plugins/topology/members.hpp"
 #include "tests/plugins/topology/recorded_tracks.hpp"
@@ -74,6 +75,19 @@ TEST_F(RealMine, KeepsOneCycleForEachHoleOfAtLeastTheAreaAskedFor) {
           << member.name << ", more than " << areas[i] << " m^2";
     }
     EXPECT_EQ(betti_of(member.extract(grid, {})), (Betti{1, 7})) << member.name;
+  }
+}
+
+// Both ways into the southern yard, 7 m wide and more, are in one region with a part of the yard.
+TEST_F(RealMine, RoadsBetweenRoomsAreOneNetworkWithACycleForEachHole) {
+  for (const double min_clearance : {1.0, 0.0}) {
+    ExtractionParams params;
+    params.min_clearance = min_clearance;
+    RegionRoadsRule rule;
+    rule.min_clearance = min_clearance;
+    const RegionsAndRoads rooms = RoomDivider(params, {}, rule).full(grid, false);
+    EXPECT_EQ(betti_of(rooms.roads), (Betti{1, 7}));
+    for (const RoadEdge& edge : rooms.roads.edges) EXPECT_GE(edge.min_clearance, 1.5);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "tests/plugins/topology/regions/region_stages.hpp"
@@ -112,6 +113,48 @@ TEST(RegionStages, WhenAllDoorsAreTooNarrowTheySayWhatToDo) {
     });
     EXPECT_NE(said.find("narrower than twice min_clearance (0.7 m)"), std::string::npos) << said;
   }
+}
+
+bool says(StageHarness& stage, const std::string& part) {
+  const auto& said = stage.context().sentences;
+  return std::any_of(said.begin(), said.end(), [&](const std::string& sentence) {
+    return sentence.find(part) != std::string::npos;
+  });
+}
+
+TEST(RegionGrowing, GapsBetweenRegionsAreNotBlamedOnFreeSpace) {
+  // What grows from one pose ends a metre on; free space is one piece, or two.
+  for (const bool wall : {false, true}) {
+    OccupancyGrid grid =
+        grid_where(12, 6, 0.1, [&](double x, double) { return !wall || x < 5.5 || x > 6.5; });
+    Trajectory trajectory;
+    for (const double x : {1.5, 4.0, 7.9, 10.5}) {
+      trajectory.poses.push_back({static_cast<Stamp>(trajectory.poses.size()), {}});
+      trajectory.poses.back().T_map_lidar.translation = {x, 3, 0};
+    }
+    StageHarness stage = for_rooms(stope_stage_RegionGrowing());
+    stage.set("mode", std::string("paper")).set("coverage", 0.2).set("radius_weight", 0.0);
+    stage.set("growth_radius", 0.9).set("max_radius", 0.9).set("second_radius", 0.0);
+    stage.set("allow_empty", true).input("grid", grid).input("trajectory", trajectory);
+    const auto map = stage.apply<RegionMap>(1);
+    ASSERT_TRUE(map.adjacency.empty());
+    ASSERT_GT(map.regions.size(), 2U);
+    EXPECT_FALSE(says(stage, "because free space does"));
+    EXPECT_TRUE(
+        says(stage, wall ? "although free space is 2 pieces only" : "although free space is one"))
+        << stage.context().sentences.back();
+  }
+}
+
+TEST(RegionGrowing, WithoutAnyRegionItIsNotSaidThatNoneTouch) {
+  const std::string said = error_of([&] {
+    for_rooms(stope_stage_RegionGrowing())
+        .set("mode", std::string("paper"))
+        .set("coverage", 0.0)
+        .input("grid", two_rooms())
+        .apply<RoadGraph>();
+  });
+  EXPECT_NE(said.find("there is no region, because none grew"), std::string::npos) << said;
 }
 
 TEST(RegionGrowing, ATrajectoryOffTheMapOrInObstaclesIsSaidAndDoesNotHurt) {
