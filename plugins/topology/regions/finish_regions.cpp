@@ -237,7 +237,7 @@ RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32
   std::vector<RegionMemo::Known> known =
       know(ground, names, set, parts, before, changed, rule, same, checkpoint);
   std::vector<RegionRoad> roads =
-      region_roads(ground, names, set, borders, known, same, rule, before, checkpoint);
+      region_roads(ground, names, set, parts, borders, known, same, rule, before, checkpoint);
   result.roads = graph_of_roads(ground.frame(), known, borders, roads, rule);
   std::vector<Region> regions = measured(ground.frame(), known);
   identify(regions, result.roads);

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "plugins/topology/regions/region_shape.hpp"
-#include "plugins/topology/regions/ways_to_doors.hpp"
 #include "plugins/topology/simplify_line.hpp"
 
 namespace stope::topology {
@@ -31,7 +29,6 @@ struct RegionMemo {
   /// By the lowest of the members; looked up, never gone through.
   std::unordered_map<CellIndex, Known> regions;
   std::map<std::pair<CellIndex, CellIndex>, RegionRoad> roads;
-  std::unique_ptr<WaySearchCells> search;
   std::size_t reused = 0;  ///< regions that were taken as they were
 };
 

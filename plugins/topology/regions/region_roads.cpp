@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "plugins/topology/for_each_band.hpp"
 #include "plugins/topology/regions/network.hpp"
+#include "plugins/topology/regions/ways_to_doors.hpp"
 
 namespace stope::topology {
 namespace {
@@ -121,10 +123,11 @@ std::int32_t RegionRoadsRule::least_squared(double resolution) const {
 }
 
 std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                                     const RegionSet& set, const std::vector<Border>& borders,
+                                     const RegionSet& set, const RegionParts& parts,
+                                     const std::vector<Border>& borders,
                                      std::vector<RegionMemo::Known>& known,
                                      std::vector<std::uint8_t>& same, const RegionRoadsRule& rule,
-                                     RegionMemo& before, const Checkpoint& checkpoint) {
+                                     const RegionMemo& before, const Checkpoint& checkpoint) {
   const std::size_t count = known.size();
   std::vector<std::vector<CellIndex>> doors(count);
   struct Use {
@@ -142,18 +145,15 @@ std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std:
     doors[place(first)].push_back(door_of(border, first, set, names));
     doors[place(second)].push_back(door_of(border, second, set, names));
   }
-  if (!before.search)
-    before.search = std::make_unique<WaySearchCells>(ground.width(), ground.height());
   const std::int32_t least = rule.least_squared(ground.frame().resolution);
   for_each_band(static_cast<std::int32_t>(count), checkpoint, [&] {
-    return [&, finder = std::make_shared<WaysToDoors>(ground, names, set, *before.search, least)](
-               std::int32_t i) {
+    return [&, finder = std::make_shared<WaysToDoors>(ground, names, set, least)](std::int32_t i) {
       const auto region = static_cast<std::size_t>(i);
       RegionMemo::Known& now = known[region];
       if (same[region] && now.doors == doors[region]) return;
       same[region] = 0;
       now.doors = doors[region];
-      now.ways = finder->find(cell_of(ground, now.centre), now.doors);
+      now.ways = finder->find(cell_of(ground, now.centre), now.doors, parts.tiles[region]);
     };
   });
   std::vector<RegionRoad> roads(borders.size());

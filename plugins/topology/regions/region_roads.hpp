@@ -33,10 +33,11 @@ struct RegionRoadsRule {
 /// are found if they are not yet; `same` tells of which regions and all about them are as they were
 /// when `before` was.
 std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                                     const RegionSet& set, const std::vector<Border>& borders,
+                                     const RegionSet& set, const RegionParts& parts,
+                                     const std::vector<Border>& borders,
                                      std::vector<RegionMemo::Known>& known,
                                      std::vector<std::uint8_t>& same, const RegionRoadsRule& rule,
-                                     RegionMemo& before, const Checkpoint& checkpoint);
+                                     const RegionMemo& before, const Checkpoint& checkpoint);
 
 /// The graph with a node at each centre, and those of the roads that are wide enough and wanted.
 RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<RegionMemo::Known>& known,

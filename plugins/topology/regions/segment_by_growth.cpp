@@ -179,6 +179,7 @@ RegionsAndRoads segment_by_growth(const Ground& ground, std::vector<CellIndex> v
     grown = grow(ground, visited, rule, checkpoint, memory, change);
     regions = cells_of(ground, grown);
     set = set_of(grown);
+    if (!memory) grown = {};
     const double reach = std::min(1e9, params.second_radius / frame.resolution);
     absorb_rest(ground, regions, static_cast<std::int32_t>(reach), checkpoint);
   }
