@@ -73,7 +73,8 @@ class Drivable final : public Map<Measures(Path, OccupancyGrid, Optional<Elevati
         .add("curvature_error", found.curvature_error, "1/m")
         .add("heading_error", found.heading_error, "rad")
         .add("lateral_acceleration", found.lateral_acceleration, "m/s^2")
-        .add("direction_changes", static_cast<double>(found.cusps));
+        .add("direction_changes", static_cast<double>(found.cusps))
+        .add("standstills", static_cast<double>(found.standstills));
     if (params.goal) {
       const PathPoint& end = path.points.back();
       list.add("reaches_goal", inside(*params.goal, end.x, end.y) ? 1 : 0);

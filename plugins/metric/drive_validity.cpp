@@ -60,6 +60,7 @@ class Validator {
       found_.length += motions_[i].length;
     }
     check_statements(motions_.size());
+    count_standstills();
     found_.least_radius = 1 / std::max(tightest, 1e-12);
     return found_;
   }
@@ -165,6 +166,19 @@ class Validator {
     if (point.speed != 0 && moves_back != before.backwards && moves_back != after.backwards) {
       violate(found_.statements, point.x, point.y, found_.length,
               "the sign of the speed is not that of the motion");
+    }
+  }
+
+  /// Several points in a row where the truck stands are one stop.
+  void count_standstills() {
+    const auto stands = [](const PathPoint& point) { return point.speed == 0; };
+    if (std::all_of(points_.begin(), points_.end(), stands)) return;
+    const auto moves = std::find_if_not(points_.begin(), points_.end(), stands);
+    for (auto stop = std::find_if(moves, points_.end(), stands); stop != points_.end();) {
+      const auto on = std::find_if_not(stop, points_.end(), stands);
+      if (on == points_.end()) break;  // its end
+      ++found_.standstills;
+      stop = std::find_if(on, points_.end(), stands);
     }
   }
 

@@ -15,7 +15,7 @@ struct TruckLimits {
   double length = 9, width = 4, rear_overhang = 2.5, wheelbase = 5.15;
   double turning_radius = 12;
   double max_grade = 0.12;  ///< rise over run between the axles
-  double margin = 0;        ///< metres that must stay free around the outline
+  double margin = 0.5;      ///< metres that must stay free around the outline
 };
 
 /// What was found along a path, and how often it breaks a limit.
@@ -29,6 +29,8 @@ struct DriveValidity {
   double lateral_acceleration = 0;  ///< m/s², at the stated speeds
   std::size_t turns = 0, touches = 0, slopes = 0, headings = 0, statements = 0;  ///< violations
   std::size_t cusps = 0;
+  /// Places between the ends where the stated speed is 0; none are counted if all speeds are.
+  std::size_t standstills = 0;
   std::string first;  ///< the first violation, a sentence; empty: none
   std::size_t violations() const { return turns + touches + slopes + headings + statements; }
   static constexpr double kFarthest = 3;

@@ -160,6 +160,23 @@ TEST(DriveValidity, WhatThePointsStateMustBeTrue) {
   EXPECT_EQ(judge(path).statements, 1U);
 }
 
+TEST(DriveValidity, CountsWhereTheTruckStandsOnTheWay) {
+  Path path = straight(0, 20);
+  EXPECT_EQ(judge(path).standstills, 0U);
+  path.points.front().speed = path.points.back().speed = 0;
+  EXPECT_EQ(judge(path).standstills, 0U);
+  path.points[7].speed = path.points[8].speed = 0;  // one stop
+  path.points[20].speed = 0;
+  EXPECT_EQ(judge(path).standstills, 2U);
+  for (PathPoint& point : path.points) point.speed = 0;  // none planned
+  EXPECT_EQ(judge(path).standstills, 0U);
+}
+
+TEST(DriveValidity, KeepsThePlannersMarginUnlessToldOtherwise) {
+  // Of smooth and reeds_shepp: a path that they give passes without a word about margins.
+  EXPECT_EQ(TruckLimits().margin, 0.5);
+}
+
 TEST(DriveValidity, RefusesWhatIsNoPath) {
   const auto sentence = [](const Path& path) { return testing::error_of([&] { judge(path); }); };
   EXPECT_NE(sentence({}).find("has 0 points"), std::string::npos);
