@@ -43,6 +43,7 @@ class OmplPrm final : public Map<Path(RoadGraph, Optional<StampedPose>, Optional
       say_planned(path, context);
       return path;
     }
+    request = by_road.with_ends(*grid, request, say);
     RoadGraph enlarged = roads;
     {
       const DrivableGrid drivable(*grid);

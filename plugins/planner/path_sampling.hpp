@@ -7,6 +7,9 @@
 
 namespace stope::planner {
 
+/// Metres between points of a path, at least: less would fill the memory and say no more.
+constexpr double kLeastStep = 0.01;
+
 /// Points along a polyline, evenly spaced no farther apart than `step` metres, both ends included.
 /// Each lies on the line; z and clearance are linear between its vertices. Heading is taken over
 /// `smoothing` metres before and behind the point, curvature is the change of that heading.

@@ -57,7 +57,7 @@ Path RoadPlanner::plan(const OccupancyGrid* grid, const PlanRequest& request, co
   std::optional<DrivableGrid> drivable;
   if (grid) drivable.emplace(*grid);
   const DrivableGrid* ground = drivable ? &*drivable : nullptr;
-  const RoadChanges requested = resolve(request.changes, network_, request.snap_distance);
+  const RoadChanges requested = resolve(request.changes, network_, request.snap_distance, say);
   RoadChanges changes = requested;  // and what the grid shows obstructed
   const PlanEnds ends(network_, ground, request, changes, say);
   const Route route = unobstructed_route(
@@ -72,6 +72,18 @@ Path RoadPlanner::plan(const OccupancyGrid* grid, const PlanRequest& request, co
   path.length = length_of(line);
   path.points = sample_path(line, request.step, request.smoothing);
   return path;
+}
+
+PlanRequest RoadPlanner::with_ends(const OccupancyGrid& grid, const PlanRequest& request,
+                                   const Say& say) const {
+  PlanRequest complete = request;
+  if (request.start && request.goal) return complete;
+  const DrivableGrid ground(grid);
+  const RoadChanges changes = resolve(request.changes, network_, request.snap_distance);
+  const PlanEnds ends(network_, &ground, request, changes, say);
+  if (!request.start) complete.start_place = ends.start().place;
+  if (!request.goal) complete.goal_place = ends.goal().place;
+  return complete;
 }
 
 Path plan_path(const RoadGraph& roads, const OccupancyGrid* grid, const PlanRequest& request,

@@ -19,6 +19,10 @@ class RoadPlanner {
       const std::function<void()>& pause = [] {});
   /// `request.rules` are not looked at: those of the constructor hold. Else as plan_path().
   Path plan(const OccupancyGrid* grid, const PlanRequest& request, const Say& say);
+  /// The request with what it leaves out of start and goal chosen as plan() would, which is said:
+  /// for planners that add roads to the graph, of which a far end must be none.
+  PlanRequest with_ends(const OccupancyGrid& grid, const PlanRequest& request,
+                        const Say& say) const;
 
  private:
   RoadNetwork network_;

@@ -39,15 +39,23 @@ void PlanEnds::refuse_goal(const std::string& why) const {
 }
 
 void PlanEnds::choose() {
-  if (request_.start) start_ = link("start", *request_.start);
-  if (request_.goal) goal_ = link("goal", *request_.goal);
-  if (!request_.start && !request_.goal) {
+  const auto at = [this](RoadPlace place) { return Link{place, {position_of(network_, place)}}; };
+  if (request_.start)
+    start_ = link("start", *request_.start);
+  else if (request_.start_place)
+    start_ = at(*request_.start_place);
+  if (request_.goal)
+    goal_ = link("goal", *request_.goal);
+  else if (request_.goal_place)
+    goal_ = at(*request_.goal_place);
+  const bool start_known = !start_.points.empty(), goal_known = !goal_.points.empty();
+  if (!start_known && !goal_known) {
     const auto ends = far_ends(network_);
     start_ = take("start", ends->start, "node", "one of the largest part of the network");
     goal_ = take_far("goal", ends->goal, "start");
-  } else if (!request_.goal) {
+  } else if (!goal_known) {
     goal_ = take_far("goal", farthest_from(network_, start_.place, false), "start");
-  } else if (!request_.start) {
+  } else if (!start_known) {
     start_ = take_far("start", farthest_from(network_, goal_.place, true), "goal");
   }
 }

@@ -13,9 +13,11 @@ namespace stope::planner {
 /// Where from and where to, and how.
 struct PlanRequest {
   std::optional<std::vector<double>> start, goal;  ///< [x, y], metres, map frame
-  double snap_distance = 50;                       ///< metres from start or goal to a road, at most
-  double step = 1;                                 ///< metres between points of the path, at most
-  double smoothing = 2;                            ///< metres over which heading is taken
+  /// Where start and goal lie on the network if they are not given.
+  std::optional<RoadPlace> start_place, goal_place;
+  double snap_distance = 50;  ///< metres from start or goal to a road, at most
+  double step = 1;            ///< metres between points of the path, at most
+  double smoothing = 2;       ///< metres over which heading is taken
   RoadRules rules;
   RequestedChanges changes;
   bool shortcut = false;         ///< leaves the roads' middles where the grid allows a shorter way

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plugins/planner/path_sampling.hpp"
 #include "plugins/planner/plan.hpp"
 #include "stope/stope.hpp"
 
@@ -39,11 +40,12 @@ About<S>& describe_planner(About<S>& about) {
              "Beyond this clearance a road costs no more than its length.")
       .param("clearance_weight", &Params::clearance_weight, at_least(0.0),
              "How much dearer a metre without any clearance is; 0 plans the shortest way.")
-      .param("step", &Params::step, "m", more_than(0.0), "Greatest distance between points.")
+      .param("step", &Params::step, "m", at_least(kLeastStep), "Greatest distance between points.")
       .param("smoothing", &Params::smoothing, "m", more_than(0.0),
              "Distance before and behind a point over which heading and curvature are taken.")
       .param("closed_places", &Params::closed_places, "m", any(),
-             "Places [x, y, x, y, …] where the nearest road cannot be passed now.")
+             "Places [x, y, x, y, …] where the nearest road cannot be passed now, nor others that "
+             "meet it there.")
       .param("closed_roads", &Params::closed_roads, "Ids of road edges that are closed now.")
       .param("slow_places", &Params::slow_places,
              "[x, y, factor, …]: the road nearest to (x, y) costs factor times as much now.")

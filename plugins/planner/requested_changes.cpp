@@ -1,6 +1,7 @@
 #include "plugins/planner/requested_changes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -27,6 +28,27 @@ RoadPlace road_at(const RoadNetwork& network, std::size_t known, const char* wha
         what, x, y, nearest.position.x(), nearest.position.y(), nearest.distance, most));
   }
   return nearest.place;
+}
+
+/// What blocks a place of a road blocks the roads that meet or cross there as well.
+void close_around(RoadPlace place, const RoadNetwork& network, std::size_t known,
+                  RoadChanges& changes, const std::function<void(std::string_view)>& say) {
+  const RoadVertex here = network.at(place);
+  const double reach = closed_reach(here.clearance);
+  std::vector<std::string> ids;
+  for (const SnappedPlace& near : nearest_places(
+           network, {here.x, here.y}, [&](std::uint32_t edge) { return edge < known; })) {
+    if (near.place.edge != place.edge && near.distance > reach) continue;
+    const RoadPlace at = near.place.edge == place.edge ? place : near.place;
+    changes.cut(at.edge, at.along);
+    ids.push_back(std::to_string(network.graph().edges[at.edge].id));
+  }
+  if (ids.size() > 1) {
+    say(
+        fmt::format("closed_places: at ({:.2f}, {:.2f}) {} roads are closed, as all pass within "
+                    "{:.1f} m: {}",
+                    here.x, here.y, ids.size(), reach, fmt::join(ids, ", ")));
+  }
 }
 
 std::uint32_t road_with_id(const RoadGraph& graph, std::size_t known, const std::string& text) {
@@ -61,7 +83,12 @@ void expect_groups(const std::vector<double>& numbers, std::size_t size, const c
 
 }  // namespace
 
-RoadChanges resolve(const RequestedChanges& requested, const RoadNetwork& network, double most) {
+double closed_reach(double clearance) {
+  return std::isfinite(clearance) ? std::max(0.5, clearance / 2) : 0.5;
+}
+
+RoadChanges resolve(const RequestedChanges& requested, const RoadNetwork& network, double most,
+                    const std::function<void(std::string_view)>& say) {
   RoadChanges changes;
   const auto& closed = requested.closed_places;
   const auto& slow = requested.slow_places;
@@ -70,7 +97,7 @@ RoadChanges resolve(const RequestedChanges& requested, const RoadNetwork& networ
   for (std::size_t i = 0; i < closed.size(); i += 2) {
     const RoadPlace place =
         road_at(network, requested.known_roads, "closed_places", closed[i], closed[i + 1], most);
-    changes.cut(place.edge, place.along);
+    close_around(place, network, requested.known_roads, changes, say);
   }
   for (const std::string& id : requested.closed_roads)
     changes.close(road_with_id(network.graph(), requested.known_roads, id));

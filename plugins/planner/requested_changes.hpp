@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plugins/planner/road_changes.hpp"
@@ -20,7 +22,15 @@ struct RequestedChanges {
 };
 
 /// Finds the roads that are meant: the one nearest to each place, no farther than `most` metres,
-/// and those with the ids. Throws Error for what cannot be meant; the sentence names the nearest.
-RoadChanges resolve(const RequestedChanges& requested, const RoadNetwork& network, double most);
+/// and those with the ids. A closed place also closes the other roads that pass within
+/// closed_reach() of where the nearest road is, which `say` is told: at a junction all of its
+/// roads. Throws Error for what cannot be meant; the sentence names the nearest.
+RoadChanges resolve(
+    const RequestedChanges& requested, const RoadNetwork& network, double most,
+    const std::function<void(std::string_view)>& say = [](std::string_view) {});
+
+/// Metres around a closed place within which roads are closed: half of the clearance there, at
+/// least half a metre.
+double closed_reach(double clearance);
 
 }  // namespace stope::planner

@@ -17,7 +17,7 @@ namespace stope::planner {
 RoadGround::RoadGround(const DrivableGrid& grid, const RoadNetwork& network,
                        const RoadChanges& changes, const CellBox& box,
                        const std::vector<RoadVertex>& driven)
-    : network_(&network), changes_(&changes), box_(box) {
+    : network_(&network), changes_(&changes), frame_(grid.frame()), box_(box) {
   const RoadGraph& graph = network.graph();
   const bool told = std::any_of(graph.edges.begin(), graph.edges.end(), [](const RoadEdge& edge) {
     return edge.closed || edge.direction != RoadDirection::kBoth;
@@ -129,13 +129,28 @@ bool RoadGround::passable(Cell from, Cell to, const Vector2& direction) const {
   }
   if (before == kNone) return true;
   if (!with_direction(before, direction)) return false;
-  if (after == kNone || edge_of_[before] != edge_of_[after]) return true;
+  if (after == kNone) return true;
+  if (edge_of_[before] != edge_of_[after])
+    return !both_cut_at(edge_of_[before], edge_of_[after], from);
   const auto along = [&](std::uint32_t segment, Cell cell) {
     return foot_on(segment, Vector2(cell.column + 0.5, cell.row + 0.5)).along;
   };
   const auto found = changes_->all().find(edge_of_[after]);
   return found == changes_->all().end() || found->second.cuts.empty() ||
          !changes_->blocked(edge_of_[after], along(before, from), along(after, to));
+}
+
+bool RoadGround::both_cut_at(std::uint32_t a, std::uint32_t b, Cell cell) const {
+  const auto cut_here = [&](std::uint32_t edge) {
+    const auto found = changes_->all().find(edge);
+    if (found == changes_->all().end()) return false;
+    return std::any_of(found->second.cuts.begin(), found->second.cuts.end(), [&](double along) {
+      const RoadVertex cut = network_->at({edge, along});
+      const Vector2 centre = frame_.centre(cell);
+      return std::hypot(cut.x - centre.x(), cut.y - centre.y()) <= cut.clearance;
+    });
+  };
+  return cut_here(a) && cut_here(b);
 }
 
 double RoadGround::factor(Cell cell) const {

@@ -14,7 +14,8 @@ namespace stope::planner {
 /// middles. A cell belongs to the road nearest to it through free ground. Then
 /// - ground of a closed road is not driven;
 /// - on ground of a one-way road no way leads against it, though across;
-/// - where a road is cut, no way on its ground passes the line across it at that place;
+/// - where a road is cut, no way on its ground passes the line across it at that place; where two
+///   that meet are cut, none leads from one's ground to the other's within the clearance there;
 /// - ground of a road that costs more costs as much more, up to kMostFactor.
 /// What the route by road itself drives stays allowed. Where nothing is closed, one-way or changed
 /// all ground is open, and nothing is looked at. Keeps references.
@@ -45,9 +46,13 @@ class RoadGround {
   void mark_driven(const std::vector<RoadVertex>& driven, const GridFrame& frame);
   void flood(const DrivableGrid& grid);
   bool with_direction(std::uint32_t segment, const Vector2& direction) const;
+  /// Whether two roads that meet are both cut where a cell lies: a closed junction, which is not
+  /// passed from one's ground to the other's either.
+  bool both_cut_at(std::uint32_t a, std::uint32_t b, Cell cell) const;
 
   const RoadNetwork* network_ = nullptr;
   const RoadChanges* changes_ = nullptr;
+  GridFrame frame_;
   CellBox box_;
   bool slow_ = false;
   std::vector<Vector2> vertices_;        // of the graph, in cells

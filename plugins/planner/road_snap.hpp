@@ -21,8 +21,8 @@ struct SnappedPlace {
 std::vector<SnappedPlace> nearest_places(const RoadNetwork& network, const Vector2& point,
                                          const std::function<bool(std::uint32_t edge)>& accept);
 
-/// The same of the roads that can be driven to from `place`, or with `against` from which it can be
-/// driven to. None if there are none.
+/// The same of the roads, as far as no cut is before it, that can be driven to from `place`, or
+/// with `against` from which it can be driven to. None if there are none.
 std::vector<SnappedPlace> reachable_places(const RoadNetwork& network, RoadPlace place,
                                            bool against, const Vector2& point,
                                            const RoadChanges& changes = {});

@@ -97,8 +97,8 @@ TEST(Rerouting, WhereNoWayIsLeftItSaysWhat) {
   fill(grid, 29, 0, 31, 40, OccupancyGrid::kOccupied);
   EXPECT_EQ(error_of([&] { planner().input("grid", grid).apply<Path>(); }),
             "the goal (58.00, 10.00) cannot be reached from the start by road, as 2 roads are "
-            "obstructed now, the first at (29.00, 10.00); the nearest reachable place is (55.00, "
-            "10.00), 3.0 m away");
+            "obstructed now, the first at (29.00, 10.00); the nearest reachable place is (28.90, "
+            "10.00), 29.1 m away");
   EXPECT_NE(error_of([&] {
               planner().set("closed_places", Numbers{30, 10, 30, 30}).apply<Path>();
             }).find("with the roads closed that closed_places and closed_roads name"),
@@ -180,6 +180,65 @@ TEST(Rerouting, AOneWayDeadEndIsNoWayOut) {
   EXPECT_EQ(error_of([&] { stage.apply<Path>(); }),
             "the goal (2.00, 10.00) cannot be reached from the start by road; the nearest "
             "reachable place is (58.00, 10.00), 56.0 m away");
+}
+
+// Four roads of 25 m that meet at (30, 30), 10 m wide,
+// numbered 1000 to 1003.
+RoadGraph crossing() {
+  RoadGraph graph;
+  graph.nodes = {{1, 30, 30, 0}, {2, 30, 5, 0}, {3, 30, 55, 0}, {4, 5, 30, 0}, {5, 55, 30, 0}};
+  for (std::uint32_t arm = 1; arm <= 4; ++arm) add_road(graph, 0, arm);
+  return graph;
+}
+
+TEST(Rerouting, AClosedJunctionIsClosedToAllItsRoads) {
+  const auto way = [](Numbers goal, Numbers closed) {
+    auto stage = planner_stage(stope_stage_AStar(), crossing(), {30, 5}, goal);
+    stage.set("closed_places", closed);
+    return stage;
+  };
+  for (const Numbers& goal : {Numbers{30, 55}, Numbers{5, 30}, Numbers{55, 30}}) {
+    for (const Numbers& place : {Numbers{30, 30}, Numbers{30.3, 31.4}}) {
+      const auto sentence = error_of([&] { way(goal, place).apply<Path>(); });
+      // It says how far one comes: to just before the junction, and no false place.
+      EXPECT_NE(sentence.find("cannot be reached from the start by road with the roads closed"),
+                std::string::npos)
+          << sentence;
+      EXPECT_NE(sentence.find("the nearest reachable place is (30.00, 29.90)"), std::string::npos)
+          << sentence;
+    }
+  }
+  // 4 m into one road only that road is closed; its own other side is beyond reach.
+  EXPECT_NEAR(way({55, 30}, {30, 34}).apply<Path>().length, 50, 1e-9);
+  EXPECT_NE(error_of([&] {
+              way({30, 55}, {30, 34}).apply<Path>();
+            }).find("the nearest reachable place is (30.00, 33.90), 21.1 m away"),
+            std::string::npos);
+  auto up_to = way({30, 28}, {30, 30});
+  EXPECT_NEAR(up_to.apply<Path>().length, 23, 1e-9);
+  EXPECT_EQ(up_to.context().sentences.at(0),
+            "closed_places: at (30.00, 30.00) 4 roads are closed, as all pass within 2.5 m: 1000, "
+            "1001, 1002, 1003");
+}
+
+TEST(Rerouting, NoShortcutLeadsAcrossAClosedJunction) {
+  OccupancyGrid grid = ground();
+  grid.cells.assign(grid.frame.size(), OccupancyGrid::kOccupied);
+  fill(grid, 25, 0, 35, 40, OccupancyGrid::kFree);
+  fill(grid, 0, 15, 60, 25, OccupancyGrid::kFree);
+  RoadGraph graph;
+  graph.nodes = {{1, 30, 20, 0}, {2, 30, 2, 0}, {3, 30, 38, 0}, {4, 2, 20, 0}, {5, 58, 20, 0}};
+  for (std::uint32_t arm = 1; arm <= 4; ++arm) add_road(graph, 0, arm);
+  // A long way round, so that there is one: drawn through the walls, which nobody looks at here.
+  add_road(graph, 1, 3, {{2, 2}});
+  const auto way = [&](bool shortcut) {
+    auto stage = planner_stage(stope_stage_AStar(), graph, {30, 2}, {2, 20});
+    stage.input("grid", grid).set("closed_places", Numbers{30, 20}).set("avoid_obstructed", false);
+    return stage.set("shortcut", shortcut).apply<Path>();
+  };
+  EXPECT_NEAR(way(false).length, 46, 1e-6);
+  for (const PathPoint& point : way(true).points)
+    EXPECT_GT(std::hypot(point.x - 30, point.y - 20), 5) << point.x << ", " << point.y;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "tests/plugins/planner/test_roads.hpp"
 #include "tests/plugins/stage_harness.hpp"
 
+extern "C" const stope::StageEntry* stope_stage_AStar();
 extern "C" const stope::StageEntry* stope_stage_OmplPrm();
 extern "C" const stope::StageEntry* stope_stage_OmplBitStar();
 
@@ -100,6 +101,25 @@ TEST(SamplingPlanners, PrmClosesARoadThatWasThereAndNoneItAdded) {
   stage.set("start", Numbers{5, 45}).set("goal", Numbers{55, 45}).input("grid", ground());
   EXPECT_NEAR(stage.apply<Path>().length, 50, 1e-9);
   EXPECT_GT(stage.set("closed_places", Numbers{30, 38.5}).apply<Path>().length, 55);
+}
+
+TEST(SamplingPlanners, WithoutStartAndGoalTheyTakeThoseOfAStar) {
+  const OccupancyGrid grid = ground();
+  RoadGraph graph = detour();
+  graph.nodes.push_back({3, 30, 45, 0});
+  add_road(graph, 1, 2, {}, 5);
+  const auto ends = [&](const StageEntry* entry, bool with_start) {
+    StageHarness stage(entry);
+    stage.input("roads", graph).input("grid", grid);
+    if (with_start) stage.set("start", Numbers{30, 29});
+    const Path path = stage.apply<Path>();
+    return Numbers{path.points.front().x, path.points.front().y, path.points.back().x,
+                   path.points.back().y};
+  };
+  for (const bool with_start : {false, true}) {
+    const Numbers by_road = ends(stope_stage_AStar(), with_start);
+    for (const auto entry : kStages) EXPECT_EQ(ends(entry(), with_start), by_road);
+  }
 }
 
 TEST(SamplingPlanners, RefuseAsTheOthersDo) {
