@@ -33,8 +33,8 @@ DriveLimits limits_of(const Vehicle& vehicle, const DriveCurve& curve) {
 
 class Optimizer {
  public:
-  Optimizer(const DriveLimits& limits, const DriveCosts& costs, bool free_heading)
-      : limits_(limits), costs_(costs), free_heading_(free_heading) {}
+  Optimizer(const DriveLimits& limits, const DriveCosts& costs, const CurveRequest& request)
+      : limits_(limits), costs_(costs), request_(request) {}
 
   DriveCurve run(const DriveCurve& first, int most_rounds,
                  const std::function<void()>& checkpoint) {
@@ -107,8 +107,9 @@ class Optimizer {
       if (!vxx.allFinite()) return false;
     }
     start_ = DriveState::Zero();
+    if (request_.start_curvature_held) return true;
     start_[3] = -vx[3] / (vxx(3, 3) + 1e-6 + damping);
-    if (free_heading_) {
+    if (request_.free_heading) {
       const Eigen::Matrix2d hessian =
           vxx.bottomRightCorner<2, 2>() + (1e-6 + damping) * Eigen::Matrix2d::Identity();
       start_.tail<2>() = -hessian.ldlt().solve(vx.tail<2>());
@@ -161,7 +162,7 @@ class Optimizer {
 
   const DriveLimits& limits_;
   const DriveCosts& costs_;
-  const bool free_heading_;
+  const CurveRequest& request_;
   std::vector<DriveControl> feedforward_;
   std::vector<Mixed> feedback_;
   DriveState start_ = DriveState::Zero();
@@ -175,7 +176,7 @@ DriveCurve optimize_curve(const DriveCurve& first, const RouteLine& line, const 
   if (first.pieces.empty()) return first;
   const DriveLimits limits = limits_of(vehicle, first);
   const DriveCosts costs(line, vehicle, field, request, wishes, limits);
-  return Optimizer(limits, costs, request.free_heading).run(first, request.most_rounds, checkpoint);
+  return Optimizer(limits, costs, request).run(first, request.most_rounds, checkpoint);
 }
 
 }  // namespace stope::planner

@@ -20,7 +20,8 @@ struct CurveWishes {
 };
 
 struct CurveRequest {
-  bool free_heading = false;  ///< the start's heading may be chosen
+  bool free_heading = false;          ///< the start's heading may be chosen
+  bool start_curvature_held = false;  ///< that of `first`; else the wheels may stand otherwise
   Vector2 goal = Vector2::Zero();
   std::optional<double> goal_heading;  ///< radians
   double obstacle_weight = 50;         ///< as near_wall, of the margin itself

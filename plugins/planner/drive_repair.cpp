@@ -1,7 +1,8 @@
 // Problem: somewhere along a drive the truck touches something, or would have to turn too tightly.
 // Idea: a hybrid search drives anew from some metres before that place to as far behind it; if it
-// finds nothing, from farther away. What would help is found out by searching as another truck
-// would. Cost: one search for each distance, up to seven for remedies.
+// finds nothing, from farther away, and last by reversing where the truck may. What would help is
+// found out by searching as another truck would. Cost: one search for each distance, up to twelve
+// for remedies.
 #include "plugins/planner/drive_repair.hpp"
 
 #include <algorithm>
@@ -73,23 +74,25 @@ HybridResult search(const DriveSite& site, const DriveCurve& curve, double from,
 
 }  // namespace
 
-bool repair_drive(const DriveSite& site, DriveCurve& curve, const Obstruction& obstruction,
-                  const Pose2& goal) {
-  const bool reverse = site.request.allow_reverse;
-  for (const double span : kSpans) {
-    const double from = std::max(0.0, obstruction.along - span);
-    const Goals goals = goals_behind(site, curve, obstruction.along + span, goal);
-    const auto most = static_cast<std::size_t>(span * (reverse ? 1000 : 300));
-    const auto found = search(site, curve, from, goals, site.ground,
-                              {reverse, site.request.vehicle.turning_radius, most});
-    if (!found.curve) continue;
-    DriveCurve spliced = part_of(curve, 0, from);
-    append(spliced, *found.curve);
-    append(spliced, part_of(curve, goals.along_of(found.curve->end()), curve.length()));
-    curve = std::move(spliced);
-    return true;
+std::optional<DrivenAnew> repair_drive(const DriveSite& site, DriveCurve& curve,
+                                       const Obstruction& obstruction, const Pose2& goal) {
+  for (const bool reverse : {false, true}) {
+    if (reverse && !site.request.allow_reverse) break;
+    for (const double span : kSpans) {
+      const double from = std::max(0.0, obstruction.along - span);
+      const Goals goals = goals_behind(site, curve, obstruction.along + span, goal);
+      const auto most = static_cast<std::size_t>(span * (reverse ? 1000 : 300));
+      const auto found = search(site, curve, from, goals, site.ground,
+                                {reverse, site.request.vehicle.turning_radius, most});
+      if (!found.curve) continue;
+      DriveCurve spliced = part_of(curve, 0, from);
+      append(spliced, *found.curve);
+      append(spliced, part_of(curve, goals.along_of(found.curve->end()), curve.length()));
+      curve = std::move(spliced);
+      return DrivenAnew{from, from + found.curve->length()};
+    }
   }
-  return false;
+  return std::nullopt;
 }
 
 Remedies remedies_at(const DriveSite& site, const DriveCurve& curve, const Obstruction& obstruction,
@@ -108,21 +111,23 @@ Remedies remedies_at(const DriveSite& site, const DriveCurve& curve, const Obstr
   const bool slope = obstruction.kind == Obstruction::Kind::kGrade ||
                      obstruction.kind == Obstruction::Kind::kNoElevation;
   const bool may = site.request.allow_reverse;
-  Remedies remedies{0, may, !may && passes(radius, site.elevation, true)};
-  double& needs = remedies.radius;
-  if (!slope || !passes(radius, nullptr, may)) {
-    double high = radius;
-    for (const double share : {0.7, 0.45, 0.25}) {
-      if (passes(share * radius, site.elevation, false)) {
-        needs = share * radius;
-        break;
-      }
-      high = share * radius;
+  Remedies remedies{0, radius, may, !may && passes(radius, site.elevation, true)};
+  if (slope && passes(radius, nullptr, may)) return remedies;
+  double high = radius;
+  double& tried = remedies.least_tried;
+  for (const double share : {0.7, 0.45, 0.25, 0.12, 0.06, 0.03, 0.015}) {
+    const double tighter = share * radius;
+    if (tighter < site.request.vehicle.least_turning_radius()) break;
+    tried = tighter;
+    if (passes(tighter, site.elevation, false)) {
+      remedies.radius = tighter;
+      break;
     }
-    for (int i = 0; needs > 0 && i < 3; ++i) {
-      const double middle = (needs + high) / 2;
-      (passes(middle, site.elevation, false) ? needs : high) = middle;
-    }
+    high = tighter;
+  }
+  for (int i = 0; remedies.radius > 0 && i < 3; ++i) {
+    const double middle = (remedies.radius + high) / 2;
+    (passes(middle, site.elevation, false) ? remedies.radius : high) = middle;
   }
   return remedies;
 }

@@ -64,6 +64,7 @@ class Search {
     add({start, {}, 0, kNone, kNone});
     double nearest = std::numeric_limits<double>::infinity();
     while (!queue_.empty() && result.poses < rules_.most_poses) {
+      checkpoint();  // a pose can cost milliseconds: its words sweep long ways
       const Entry top = queue_.top();
       queue_.pop();
       const Reached here = reached_[top.at];
@@ -83,7 +84,7 @@ class Search {
           continue;
         }
       }
-      if (++result.poses % 256 == 0) checkpoint();
+      ++result.poses;
       const double left = distance_.at(here.pose.x, here.pose.y);
       if (left < nearest) nearest = left, result.nearest = here.pose;
       const bool against_wall = std::abs(here.by.length) > kStep;

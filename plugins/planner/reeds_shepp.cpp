@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "plugins/planner/path_sampling.hpp"
 #include "plugins/planner/route_miles.hpp"
 #include "plugins/planner/speed_profile.hpp"
 #include "stope/stope.hpp"
@@ -38,7 +39,7 @@ class ReedsShepp final
             "between "
             "them stays as it is. Wire a pose, or give start with start_heading; give goal or "
             "goal_area. What is not given stays the path's own end.")
-        .ports("path", "grid", "elevation", "pose", "path")
+        .ports("drive", "grid", "elevation", "pose", "path")
         .param("start", &Params::start, "m", count(2, 2),
                "Where the middle of the rear axle stands, [x, y] in the map frame.")
         .param("start_heading", &Params::start_heading, "rad", any(),
@@ -52,7 +53,7 @@ class ReedsShepp final
         .param("allow_reverse", &Params::allow_reverse, "Whether the truck may drive backwards.")
         .param("join_within", &Params::join_within, "m", at_least(0.0),
                "How far from its ends the path may be joined and left.")
-        .param("step", &Params::step, "m", more_than(0.0) + at_most(1.0),
+        .param("step", &Params::step, "m", between(kLeastStep, 1.0),
                "Greatest distance between points.");
     describe_speeds(about);
     describe_vehicle(about);
@@ -77,7 +78,10 @@ class ReedsShepp final
     }
     if (params.goal && params.goal_area)
       throw Error("goal and goal_area are both given: give one of them");
-    if (params.goal_area) request.goals = poses_in(*params.goal_area, params.goal_heading);
+    if (params.goal_area) {
+      request.goals = poses_in(*params.goal_area, params.goal_heading);
+      request.goal_area = {*params.goal_area, params.goal_heading};
+    }
     if (params.goal) {
       for (int turn = 0; turn < (params.goal_heading ? 1 : 8); ++turn) {
         request.goals.push_back({(*params.goal)[0], (*params.goal)[1],

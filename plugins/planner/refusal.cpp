@@ -13,6 +13,16 @@ std::string text_of_place_on(const RouteLine& line, const Pose2& pose) {
                      line.nearest({pose.x, pose.y}, 0, line.length()));
 }
 
+namespace {
+
+std::string how_sought(const Remedies& remedies) {
+  return fmt::format("{}with any turning radius down to {:.1f} m{}",
+                     remedies.reversing ? "forwards " : "", remedies.least_tried,
+                     remedies.may_reverse ? ", nor by reversing" : "");
+}
+
+}  // namespace
+
 std::string refusal(const RouteLine& line, const Obstruction& obstruction, const Vehicle& vehicle,
                     const Remedies& remedies) {
   const std::string where = text_of_place_on(line, obstruction.pose);
@@ -32,24 +42,27 @@ std::string refusal(const RouteLine& line, const Obstruction& obstruction, const
     case Obstruction::Kind::kFootprint:
       break;
   }
-  const std::string touches =
+  // A turn has no obstacle: nothing was touched, the truck would only end elsewhere.
+  const bool touches = obstruction.kind == Obstruction::Kind::kFootprint;
+  const std::string touching =
       fmt::format("the footprint would touch an obstacle at {}",
                   text_of_place(obstruction.obstacle.x(), obstruction.obstacle.y()));
   std::string why;
   if (remedies.radius > 0) {
-    why = fmt::format(
-        "the turn needs a radius of {:.1f} m but the truck needs {:.1f} m{}; with that {}",
-        remedies.radius, vehicle.turning_radius,
-        remedies.may_reverse ? ", and reversing does not help" : "", touches);
-  } else {
+    why = fmt::format("the turn needs a radius of {:.1f} m but the truck needs {:.1f} m{}{}",
+                      remedies.radius, vehicle.turning_radius,
+                      remedies.may_reverse ? ", and reversing does not help" : "",
+                      touches ? "; with that " + touching : "");
+  } else if (touches) {
     why = fmt::format(
         "{}: the truck is {:.1f} m wide and {:.1f} m long and keeps a margin of {:.2f} m, for "
-        "which "
-        "no way past was found {}",
-        touches, vehicle.width, vehicle.length, vehicle.margin,
-        remedies.may_reverse ? "with any turning radius, nor by reversing"
-        : remedies.reversing ? "forwards with any turning radius"
-                             : "with any turning radius");
+        "which no way past was found {}",
+        touching, vehicle.width, vehicle.length, vehicle.margin, how_sought(remedies));
+  } else {
+    why = fmt::format(
+        "the route bends more tightly than the truck can turn ({:.1f} m), and no way from before "
+        "the bend to behind it was found over the free ground around, {}",
+        vehicle.turning_radius, how_sought(remedies));
   }
   if (remedies.reversing)
     return fmt::format("{}, {}: allow reversing (allow_reverse: true), with which a way was found",

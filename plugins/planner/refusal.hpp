@@ -15,6 +15,7 @@ std::string text_of_place_on(const RouteLine& line, const Pose2& pose);
 /// What was found out about a place where a truck cannot drive.
 struct Remedies {
   double radius = 0;         ///< greatest radius of arcs with which a way was found; 0: none was
+  double least_tried = 0;    ///< the least radius that was tried
   bool may_reverse = false;  ///< the truck may already
   bool reversing = false;    ///< with it a way was found
 };

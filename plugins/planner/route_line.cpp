@@ -94,6 +94,20 @@ double RouteLine::nearest(const Vector2& point, double from, double to) const {
   return best;
 }
 
+RouteLine RouteLine::between(double from, double to) const {
+  RouteLine line;
+  line.points_.push_back(at(from));
+  line.along_.push_back(0);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (along_[i] <= from + 1e-6 || along_[i] >= to - 1e-6) continue;
+    line.points_.push_back(points_[i]);
+    line.along_.push_back(along_[i] - from);
+  }
+  line.points_.push_back(at(to));
+  line.along_.push_back(to - from);
+  return line;
+}
+
 MapBox RouteLine::box() const {
   MapBox box{points_[0].x(), points_[0].y(), points_[0].x(), points_[0].y()};
   for (const Vector2& point : points_) {

@@ -18,6 +18,9 @@ class RouteLine {
   /// The line's first `along` metres.
   RouteLine until(double along) const;
 
+  /// The line between two distances along it, at least a millimetre apart.
+  RouteLine between(double from, double to) const;
+
   double length() const { return along_.back(); }
   Vector2 at(double along) const;
   /// Radians, of the line from `along` to `ahead` metres further (or to its end).

@@ -89,8 +89,12 @@ class Miles {
   }
 
   std::string add_last(const std::vector<Pose2>& goals) {
+    const Pose2 end = pose_of(points_.back());
+    if (request_.goal_area.holds(end))
+      return fmt::format("the path already ends in the goal_area, at {}: there is no last mile",
+                         text_of_place(end.x, end.y));
     for (const Pose2& goal : goals)
-      if (same(goal, pose_of(points_.back()))) return {};
+      if (same(goal, end)) return {};
     for (const double share : {0.0, 0.15, 0.3, 0.6, 1.0}) {
       const double most = std::min(request_.join_within, along_.back());
       const std::size_t place = place_at(along_.back() - share * most);
@@ -195,6 +199,13 @@ bool inside(const std::vector<double>& polygon, double x, double y) {
 }
 
 }  // namespace
+
+bool GoalArea::holds(const Pose2& pose) const {
+  constexpr double kTurned = 0.02;  // radians, as planner/smooth arrives
+  return !polygon.empty() && inside(polygon, pose.x, pose.y) &&
+         (!heading ||
+          std::abs(std::remainder(pose.yaw - *heading, 2 * std::numbers::pi)) < kTurned);
+}
 
 std::vector<Pose2> poses_in(const std::vector<double>& polygon, std::optional<double> heading) {
   if (polygon.size() < 6 || polygon.size() % 2 != 0)

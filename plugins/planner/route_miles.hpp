@@ -11,11 +11,19 @@
 
 namespace stope::planner {
 
+/// Where a truck may stand at the end: anywhere in a polygon x, y, x, y, …
+struct GoalArea {
+  std::vector<double> polygon;    ///< metres; empty: there is none
+  std::optional<double> heading;  ///< radians; none: any will do
+  bool holds(const Pose2& pose) const;
+};
+
 struct MileRequest {
   Vehicle vehicle;
   SpeedLimits limits;
   std::optional<Pose2> start;  ///< where the truck stands; none: at the path's start
   std::vector<Pose2> goals;    ///< any of these will do; none: the path's end
+  GoalArea goal_area;          ///< of which `goals` are samples: a path that ends in it stays
   bool allow_reverse = true;
   double join_within = 60;  ///< metres from the path's ends within which it is joined and left
   double step = 0.5;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "plugins/planner/drive_points.hpp"
 #include "plugins/planner/drive_route.hpp"
+#include "plugins/planner/path_sampling.hpp"
 #include "plugins/planner/speed_profile.hpp"
 #include "stope/stope.hpp"
 
@@ -47,7 +49,7 @@ class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid
                "Whether the truck may drive backwards where it cannot pass forwards.")
         .param("comfortable_clearance", &Params::comfortable_clearance, "m", at_least(0.0),
                "Beyond the margin, what the truck keeps from walls where there is room.")
-        .param("step", &Params::step, "m", more_than(0.0) + at_most(1.0),
+        .param("step", &Params::step, "m", between(kLeastStep, 1.0),
                "Greatest distance between points.");
     describe_speeds(about);
     describe_vehicle(about);
@@ -82,6 +84,7 @@ class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid
 
  private:
   static void report(const Path& path, const DriveCurve& curve, Context& context) {
+    constexpr double kStraight = 1e-5;  // 1/m: bends wider than 100 km are none
     double tightest = 0, nearest = path.points.front().clearance;
     for (const PathPoint& point : path.points) {
       tightest = std::max(tightest, std::abs(point.curvature));
@@ -89,14 +92,23 @@ class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid
     }
     const std::size_t cusps = cusps_of(curve), stops = jumps_of(curve);
     context.info(fmt::format(
-        "drivable: {:.1f} m, tightest bend {:.1f} m, the outline comes within {:.1f} m of an "
-        "obstacle, {} {}",
-        path.length, 1 / std::max(tightest, 1e-9), nearest, cusps,
-        cusps == 1 ? "change of direction" : "changes of direction"));
+        "drivable: {:.1f} m, {}, the outline comes within {:.1f} m of an obstacle, {} {}",
+        path.length,
+        tightest > kStraight ? fmt::format("tightest bend {:.1f} m", 1 / tightest) : "no bend",
+        nearest, cusps, cusps == 1 ? "change of direction" : "changes of direction"));
     if (stops > 0) {
-      context.info(
+      const std::string sentence =
           fmt::format("curvature jumps at {} {}: there the truck stands while its wheels turn",
-                      stops, stops == 1 ? "place" : "places"));
+                      stops, stops == 1 ? "place" : "places");
+      constexpr double kFewStops = 5, kApart = 500;  // metres
+      if (static_cast<double>(stops) <= kFewStops + path.length / kApart) {
+        context.info(sentence);
+      } else {
+        context.warn(fmt::format(
+            "{}, once in {:.0f} m; a route with wider bends, a smaller turning_radius or a "
+            "shorter steering_distance would let it drive through",
+            sentence, path.length / static_cast<double>(stops)));
+      }
     }
   }
 };

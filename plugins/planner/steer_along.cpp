@@ -6,14 +6,16 @@
 namespace stope::planner {
 
 std::optional<DriveCurve> steer_along(const RouteLine& line, const Pose2& start,
-                                      const Vehicle& vehicle, double look_ahead) {
+                                      const Vehicle& vehicle, double look_ahead,
+                                      double start_curvature) {
   const double length = line.length();
   const double step = length / std::max(8.0, std::ceil(length));
   const double most = vehicle.max_curvature() * (1 - 1e-6);
   const double rate = std::min(vehicle.max_curvature_rate(), 2 * most / step) * step;
   DriveCurve curve{start, {}};
   Pose2 pose = start;
-  double along = 0, curvature = 0, driven = 0;
+  double along = 0, driven = 0;
+  double curvature = std::clamp(start_curvature, -most, most);
   while (along < length - step / 2) {
     if (driven > 2 * length + 100) return std::nullopt;
     const Vector2 here(pose.x, pose.y);

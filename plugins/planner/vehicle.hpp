@@ -21,6 +21,9 @@ struct Vehicle {
       6;  ///< driven while the wheels go from straight to full lock; 0: they turn on the spot
 
   double nose() const { return length - rear_overhang; }
+  /// Turns tighter than half the width would roll an inner rear wheel backwards; a tenth of the
+  /// length bounds what one metre of way can sweep, whatever the width.
+  double least_turning_radius() const { return std::max(width / 2, length / 10); }
   double max_curvature() const { return 1 / turning_radius; }
   /// Greatest change of curvature by the metre; infinite if the wheels may turn on the spot.
   double max_curvature_rate() const { return max_curvature() / steering_distance; }
@@ -46,9 +49,10 @@ template <class S>
 void describe_vehicle(About<S>& about) {
   about
       .param("turning_radius", &Vehicle::turning_radius, "m", more_than(0.0),
-             "Least radius of the way of the rear axle's middle.")
-      .param("length", &Vehicle::length, "m", more_than(0.0), "Length of the truck.")
-      .param("width", &Vehicle::width, "m", more_than(0.0), "Width of the truck.")
+             "Least radius of the way of the rear axle's middle; at least half the width and a "
+             "tenth of the length.")
+      .param("length", &Vehicle::length, "m", at_least(0.1), "Length of the truck.")
+      .param("width", &Vehicle::width, "m", at_least(0.1), "Width of the truck.")
       .param(
           "rear_overhang", &Vehicle::rear_overhang, "m", at_least(0.0),
           "From the rear axle back to the tail; the rear axle's middle is what follows the path.")

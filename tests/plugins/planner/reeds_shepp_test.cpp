@@ -34,7 +34,7 @@ Path driven(const OccupancyGrid& grid) {
 
 StageHarness miles(const OccupancyGrid& grid) {
   StageHarness stage(stope_stage_ReedsShepp());
-  stage.input("path", driven(grid)).input("grid", grid);
+  stage.input("drive", driven(grid)).input("grid", grid);
   return stage;
 }
 
@@ -85,6 +85,23 @@ TEST(ReedsShepp, TakesTheStartFromAPoseAndStopsInAnArea) {
   EXPECT_LT(path.points.back().x, 182);
 }
 
+TEST(ReedsShepp, APathThatEndsInTheAreaStays) {
+  const OccupancyGrid grid = yard_and_road();
+  const Path before = driven(grid);
+  auto stage = miles(grid);
+  const Path after =
+      stage.set("goal_area", Numbers{160, 55, 182, 55, 182, 65, 160, 65}).apply<Path>();
+  ASSERT_EQ(after.points.size(), before.points.size());
+  EXPECT_EQ(after.points.back().x, before.points.back().x);
+  EXPECT_EQ(stage.context().sentences.at(0).find("the path already ends in the goal_area"), 0U);
+  // Not if it is to stand otherwise there.
+  const Path turned = miles(grid)
+                          .set("goal_area", Numbers{160, 55, 182, 55, 182, 65, 160, 65})
+                          .set("goal_heading", 0.2)
+                          .apply<Path>();
+  EXPECT_NEAR(turned.points.back().yaw, 0.2, 1e-4);
+}
+
 TEST(ReedsShepp, RefusesWithASentence) {
   const OccupancyGrid grid = yard_and_road();
   const auto sentence = [&](StageHarness stage) { return error_of([&] { stage.apply<Path>(); }); };
@@ -96,14 +113,14 @@ TEST(ReedsShepp, RefusesWithASentence) {
   halfway.set("start", Numbers{60, 60});
   EXPECT_NE(sentence(std::move(halfway)).find("without start_heading"), std::string::npos);
   auto corner = miles(grid);
-  corner.input("path", path_of({{60, 60}, {100, 60}, {100, 65}}));
+  corner.input("drive", path_of({{60, 60}, {100, 60}, {100, 65}}));
   EXPECT_NE(sentence(std::move(corner)).find("put planner/smooth before this stage"),
             std::string::npos);
   auto area = miles(grid);
   area.set("goal_area", Numbers{0, 0, 10, 10, 20, 20});
   EXPECT_NE(sentence(std::move(area)).find("holds no place"), std::string::npos);
   auto none = miles(grid);
-  none.input("path", Path{});
+  none.input("drive", Path{});
   EXPECT_NE(sentence(std::move(none)).find("the path has no points"), std::string::npos);
 }
 

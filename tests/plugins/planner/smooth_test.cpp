@@ -245,6 +245,68 @@ TEST(Smooth, RefusesPathsThatAreNone) {
       "longer than the truck");
 }
 
+TEST(Smooth, OneSharpBendLeavesTheRestOfTheRouteSmooth) {
+  // 600 m of gentle bends, and a corner of 90 degrees between walls that no single arc of the truck
+  // rounds. Only there it may stand while its wheels turn.
+  Places line{{20, 20}, {195, 20}, {195, 62}, {20, 62}, {20, 110}, {195, 110}};
+  const OccupancyGrid grid = roads_of(15, {line}, false);
+  const Path path = smooth(path_of(line), grid)
+                        .set("turning_radius", 13.0)
+                        .set("allow_reverse", true)
+                        .apply<Path>();
+  metric::TruckLimits truck;
+  truck.turning_radius = 13;
+  const auto found = metric::check_drive(path, grid, nullptr, truck);
+  EXPECT_EQ(found.violations(), 0U) << found.first;
+  for (std::size_t i = 1; i + 1 < path.points.size(); ++i) {
+    if (path.points[i].speed != 0) continue;
+    double nearest = 1e9;
+    for (std::size_t corner = 1; corner + 1 < line.size(); ++corner)
+      nearest = std::min(nearest, std::hypot(path.points[i].x - line[corner].first,
+                                             path.points[i].y - line[corner].second));
+    EXPECT_LT(nearest, 50) << "stands at " << path.points[i].x << ", " << path.points[i].y;
+  }
+  EXPECT_LT(found.standstills, 40U);
+}
+
+TEST(Smooth, AllowedReversingChangesNothingWhereItCanGoForwards) {
+  const OccupancyGrid grid = roads_of(16, {{{20, 60}, {180, 60}}, {{100, 10}, {100, 120}}}, false);
+  const Path line = path_of({{100, 20}, {100, 60}, {30, 60}});
+  const Path without = smooth(line, grid).apply<Path>();
+  const Path with = smooth(line, grid).set("allow_reverse", true).apply<Path>();
+  EXPECT_EQ(digest_of(without), digest_of(with));
+}
+
+TEST(Smooth, RefusesASizeThatIsNoTrucks) {
+  const OccupancyGrid grid = roads_of(16, {{{20, 20}, {150, 20}}});
+  const Path line = path_of({{20, 20}, {140, 20}});
+  const auto refused = [&](const char* name, double value) {
+    return error_of([&] { smooth(line, grid).set(name, value).apply<Path>(); });
+  };
+  expect_sentence(refused("turning_radius", 1e-4),
+                  "turning_radius is 0.0001 m, but a truck 4.00 m wide and 9.00 m long cannot turn "
+                  "with less than 2.00 m");
+  EXPECT_FALSE(smooth(line, grid).set("turning_radius", 2.0).apply<Path>().points.empty());
+}
+
+TEST(Smooth, NamesNoObstacleWhereThereIsNone) {
+  // Open ground: what is in the way is the route, no wall.
+  OccupancyGrid grid = free_ground(420, 260);
+  const Path line = path_of({{30, 30}, {180, 30}, {180, 60}, {30, 60}});
+  const auto sentence = error_of([&] {
+    smooth(line, grid).set("turning_radius", 1000.0).set("goal_heading", kPi).apply<Path>();
+  });
+  std::size_t at = sentence.find("obstacle at (");
+  if (at == std::string::npos) {
+    expect_sentence(sentence, "turn");
+    return;
+  }
+  double x = 0, y = 0;
+  ASSERT_EQ(std::sscanf(sentence.c_str() + at, "obstacle at (%lf, %lf)", &x, &y), 2) << sentence;
+  // Only what lies off the map can be touched here.
+  EXPECT_FALSE(grid.frame.cell_at(x, y)) << sentence;
+}
+
 TEST(Smooth, RepeatedPointsDoNotMatter) {
   const OccupancyGrid grid = roads_of(16, {{{20, 20}, {150, 20}}});
   const Path once = smooth(path_of({{20, 20}, {80, 20}, {140, 20}}), grid).apply<Path>();
