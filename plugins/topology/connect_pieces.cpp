@@ -17,18 +17,19 @@ class PieceConnector {
  public:
   PieceConnector(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
                  std::vector<const TracedLine*> lines, const LineEnds& ends, Courses& courses,
-                 const Checkpoint& checkpoint)
+                 double least_apart, const Checkpoint& checkpoint)
       : space_(space),
         outlines_(outlines),
         edges_(edges),
         lines_(std::move(lines)),
         ends_(ends),
         courses_(courses),
+        least_apart_(least_apart),
         checkpoint_(checkpoint),
         stride_(space.stride()),
         pieces_(outlines.list.size()) {}
 
-  LineNetwork run() {
+  ConnectedLines run() {
     // Outlines on both sides of a line bound the same piece of free space.
     for (const TracedLine* line : lines_)
       pieces_.join(outline_of(line->sides[0]), outline_of(line->sides[1]));
@@ -36,7 +37,7 @@ class PieceConnector {
     for (std::size_t i = 0; i < lines_.size(); ++i) groups.add(i, *lines_[i], piece_of(*lines_[i]));
     const std::vector<std::int32_t> torn = torn_pieces(groups);
     if (!torn.empty()) leave_out_fragments(groups);
-    LineNetwork network(courses_);
+    ConnectedLines connected{LineNetwork(courses_), {}};
     if (torn.empty() || torn_pieces(groups).empty()) {
       std::vector<const TracedLine*> kept;
       for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -47,14 +48,14 @@ class PieceConnector {
         }
       }
       std::erase_if(groups.ends.of_line, [](const auto& ends) { return ends.first == kLeftOut; });
-      network = to_network(kept, groups.ends, courses_);
+      connected = {to_network(kept, groups.ends, courses_), narrow_stretches(kept)};
     } else {
       // A new trace brings fragments back, so they are linked as well.
-      network = linked_within(torn);
+      connected = linked_within(torn);
     }
     checkpoint_();
-    add_lone_nodes(network);
-    return network;
+    add_lone_nodes(connected.network);
+    return connected;
   }
 
  private:
@@ -130,11 +131,11 @@ class PieceConnector {
   }
 
   /// Lines that links end on are traced anew, with nodes there.
-  LineNetwork linked_within(const std::vector<std::int32_t>& torn) {
+  ConnectedLines linked_within(const std::vector<std::int32_t>& torn) {
     const std::vector<Link> links = links_within(torn);
     std::unordered_set<CellIndex> link_ends;
     for (const Link& link : links) link_ends.insert({link.from, link.to});
-    LineTracer tracer(space_, outlines_, edges_, courses_);
+    LineTracer tracer(space_, outlines_, edges_, courses_, least_apart_);
     std::vector<CellIndex> corners;
     std::vector<const TracedLine*> whole;
     for (const TracedLine* line : lines_) {
@@ -156,7 +157,17 @@ class PieceConnector {
     for (const TracedLine& line : split) whole.push_back(&line);
     std::sort(whole.begin(), whole.end(),
               [](const TracedLine* a, const TracedLine* b) { return comes_first(*a, *b); });
-    return to_network(whole, courses_);
+    return {to_network(whole, courses_), narrow_stretches(whole)};
+  }
+
+  std::vector<std::vector<StepRange>> narrow_stretches(
+      const std::vector<const TracedLine*>& lines) const {
+    std::vector<std::vector<StepRange>> narrow(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto [a, b] = lines[i]->sides;
+      if (a < 0 || outline_of(a) == outline_of(b)) narrow[i] = lines[i]->narrow;
+    }
+    return narrow;
   }
 
   std::vector<Link> links_within(const std::vector<std::int32_t>& torn) {
@@ -290,6 +301,7 @@ class PieceConnector {
   std::vector<const TracedLine*> lines_;
   const LineEnds& ends_;
   Courses& courses_;
+  double least_apart_;
   const Checkpoint& checkpoint_;
   CellIndex stride_;
   DisjointSets pieces_;
@@ -298,10 +310,12 @@ class PieceConnector {
 
 }  // namespace
 
-LineNetwork connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
-                           std::vector<const TracedLine*> lines, const LineEnds& ends,
-                           Courses& courses, const Checkpoint& checkpoint) {
-  return PieceConnector(space, outlines, edges, std::move(lines), ends, courses, checkpoint).run();
+ConnectedLines connect_pieces(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
+                              std::vector<const TracedLine*> lines, const LineEnds& ends,
+                              Courses& courses, double least_apart, const Checkpoint& checkpoint) {
+  return PieceConnector(space, outlines, edges, std::move(lines), ends, courses, least_apart,
+                        checkpoint)
+      .run();
 }
 
 }  // namespace stope::topology

@@ -80,6 +80,22 @@ CourseId Courses::joined(const std::vector<CourseId>& courses) {
       .courses[0];
 }
 
+CourseId Courses::merged(const std::vector<CourseId>& courses) {
+  CourseKey key(CourseKey::kMerged);
+  for (const CourseId course : courses) key.add(name(course));
+  return make(key,
+              [&] {
+                std::vector<LinePoint> points{view(courses.front()).front()};
+                for (const CourseId course : courses) {
+                  const CourseView next = view(course);
+                  for (std::size_t i = 1; i + 1 < next.size(); ++i) points.push_back(next[i]);
+                }
+                points.push_back(view(courses.back()).back());
+                return Made{{add(std::move(points))}, {}, 0};
+              })
+      .courses[0];
+}
+
 void Courses::drop(CourseId course) {
   if (used_once_) courses_[place(course)].points = {};
 }

@@ -54,7 +54,16 @@ class CourseView {
 /// What is made of courses, and of what: a step's name, the courses and the numbers it depends on.
 class CourseKey {
  public:
-  enum Step : std::uint64_t { kPart, kJoined, kWideParts, kMiddle, kFace, kMoved, kStraightened };
+  enum Step : std::uint64_t {
+    kPart,
+    kJoined,
+    kMerged,
+    kWideParts,
+    kMiddle,
+    kFace,
+    kMoved,
+    kStraightened
+  };
   explicit CourseKey(Step step) { add_word(step); }
   CourseKey& add(std::int64_t number) { return add_word(static_cast<std::uint64_t>(number)); }
   CourseKey& add(double number) { return add_word(std::bit_cast<std::uint64_t>(number)); }
@@ -118,6 +127,8 @@ class Courses {
   CourseId part(CourseId course, std::size_t first, std::size_t last);
   /// One behind the other; each begins where the one before it ends.
   CourseId joined(const std::vector<CourseId>& courses);
+  /// The same without the places where they meet: nothing branches off there any more.
+  CourseId merged(const std::vector<CourseId>& courses);
   /// What `make` gives, which must depend on the key alone.
   template <class Make>
   const Made& make(const CourseKey& key, Make make) {

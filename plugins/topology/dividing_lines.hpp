@@ -24,12 +24,6 @@ class SideRule {
     rule.least_ = cells;
     return rule;
   }
-  /// If their obstacle cells are at least `cells` apart (Chazal and Lieutier 2005, lambda).
-  static SideRule by_separation(const Outlines& outlines, double cells) {
-    SideRule rule{outlines, Kind::kSeparation};
-    rule.least_ = cells;
-    return rule;
-  }
   /// If it turns towards the free side between them and they are more than outlines.gap apart.
   static SideRule between_parts(const Outlines& outlines, const OutlineTurns& turns) {
     SideRule rule{outlines, Kind::kParts};
@@ -44,7 +38,7 @@ class SideRule {
   }
 
  private:
-  enum class Kind { kOutlines, kSides, kResidual, kSeparation, kParts };
+  enum class Kind { kOutlines, kSides, kResidual, kParts };
   SideRule(const Outlines& outlines, Kind kind) : outlines_(&outlines), kind_(kind) {}
   bool divided_far(OutlineEdge a, OutlineEdge b, std::int32_t apart) const {
     const std::int32_t outline = outlines_->of_edge[static_cast<std::size_t>(a)];

@@ -15,7 +15,8 @@ RoadGraph extract_roads(const OccupancyGrid& grid, const ExtractionMethod& metho
                                   checkpoint);
   }
   Courses courses(true);
-  LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, courses);
+  LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, courses,
+                    method.least_apart(grid.frame));
   const std::vector<TracedLine> lines = trace_lines(tracer, corners);
   checkpoint();
   return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines),

@@ -31,9 +31,9 @@ SideRule rule_of(const ExtractionMethod& method, const GridFrame& frame, const O
     case Kind::kSkeleton:
       break;
   }
-  const double cells = skeleton_cells(method, frame);
-  return method.by_lambda() ? SideRule::by_separation(outlines, cells)
-                            : SideRule::by_residual(outlines, ways, cells);
+  // Lambda cuts lines between sides afterwards, so that it can tell which it must not cut.
+  return method.by_lambda() ? SideRule::between_sides(outlines)
+                            : SideRule::by_residual(outlines, ways, skeleton_cells(method, frame));
 }
 
 }  // namespace
@@ -46,6 +46,10 @@ std::int32_t ExtractionMethod::gap(const GridFrame& frame) const {
   const double cells = kind == Kind::kSkeleton ? skeleton_cells(*this, frame) / std::numbers::sqrt2
                                                : branches.min_branch / frame.resolution;
   return static_cast<std::int32_t>(std::clamp(std::floor(cells), 3.0, 1e6));
+}
+
+double ExtractionMethod::least_apart(const GridFrame& frame) const {
+  return by_lambda() ? skeleton_cells(*this, frame) : 0;
 }
 
 DividingRule::DividingRule(const ExtractionMethod& method, const GridFrame& frame,

@@ -31,6 +31,8 @@ struct ExtractionMethod {
   }
   /// Outlines::gap.
   std::int32_t gap(const GridFrame& frame) const;
+  /// Cells that the places seen from a line must be apart; 0 if that does not matter.
+  double least_apart(const GridFrame& frame) const;
 };
 
 /// The rule of a method for outlines, and what it is made of.

@@ -147,7 +147,7 @@ void add_tiles_of_felt_changes(const ExtractionMethod& method, const NamedOutlin
                                const SeenFrom& seen, TileSet& tiles) {
   FeltEdges felt(outlines, change);
   if (method.kind != Kind::kWatershed) felt.add_within(outlines.by_name.gap);
-  if (method.kind == Kind::kWatershed || method.by_lambda()) felt.add_regrouped();
+  if (method.kind == Kind::kWatershed) felt.add_regrouped();
   if (method.kind == Kind::kSkeleton && !method.by_lambda()) felt.add_by_residual(rule, seen);
   if (method.kind == Kind::kWatershedParts) felt.add_by_turns(rule);
   seen.add_tiles(felt.names(), outlines.by_name, tiles);

@@ -2,6 +2,7 @@
 
 #include "plugins/topology/connect_pieces.hpp"
 #include "plugins/topology/drop_narrow.hpp"
+#include "plugins/topology/keep_wide_lines.hpp"
 #include "plugins/topology/merge_junctions.hpp"
 #include "plugins/topology/straighten_junctions.hpp"
 #include "plugins/topology/to_road_graph.hpp"
@@ -14,9 +15,16 @@ RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGri
                        RoadMemo* memo, const Checkpoint& checkpoint) {
   constexpr double kJunctionShare = 1.5;
   constexpr double kSmoothingShare = 0.4;
-  LineNetwork network =
-      method.branching() ? connect_pieces(space, outlines, edges, lines, ends, courses, checkpoint)
-                         : to_network(lines, ends, courses);
+  LineNetwork network(courses);
+  if (method.branching()) {
+    const double least_apart = method.least_apart(frame);
+    ConnectedLines connected =
+        connect_pieces(space, outlines, edges, lines, ends, courses, least_apart, checkpoint);
+    network = std::move(connected.network);
+    if (method.by_lambda()) keep_wide_lines(network, connected.narrow, method.gap(frame));
+  } else {
+    network = to_network(lines, ends, courses);
+  }
   checkpoint();
   // Clearance counts from an obstacle's edge, distance from its cell's centre.
   if (method.params.min_clearance > 0)

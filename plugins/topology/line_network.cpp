@@ -10,8 +10,11 @@ std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
 /// Makes one line of those that follow each other from node to node where no other line ends.
 class ChainJoiner {
  public:
-  explicit ChainJoiner(LineNetwork& network)
-      : network_(network), at_nodes_(network), taken_(network.lines.size(), false) {}
+  ChainJoiner(LineNetwork& network, bool keep_places)
+      : network_(network),
+        keep_places_(keep_places),
+        at_nodes_(network),
+        taken_(network.lines.size(), false) {}
 
   std::vector<Line> run() {
     const auto nodes = static_cast<std::int32_t>(network_.nodes.size());
@@ -49,12 +52,14 @@ class ChainJoiner {
       result_.push_back(network_.lines[at(name)]);
       return;
     }
-    const CourseId whole = network_.courses->joined(courses);
+    const CourseId whole =
+        keep_places_ ? network_.courses->joined(courses) : network_.courses->merged(courses);
     for (const CourseId course : courses) network_.courses->drop(course);
     result_.push_back({start, node, whole, network_.courses->length(whole)});
   }
 
   LineNetwork& network_;
+  bool keep_places_;
   LinesAtNodes at_nodes_;
   std::vector<bool> taken_;
   std::vector<Line> result_;
@@ -78,8 +83,8 @@ LinesAtNodes::LinesAtNodes(const LineNetwork& network) : begin_(network.nodes.si
   }
 }
 
-void LineNetwork::tidy() {
-  lines = ChainJoiner(*this).run();
+void LineNetwork::tidy(bool keep_places) {
+  lines = ChainJoiner(*this, keep_places).run();
   std::vector<std::int32_t> place(nodes.size(), -1);
   for (const Line& line : lines) place[at(line.from)] = place[at(line.to)] = 0;
   std::vector<Node> used;

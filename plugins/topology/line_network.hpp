@@ -42,8 +42,9 @@ struct LineNetwork {
     line.length = course == kNoCourse ? 0 : courses->length(course);
   }
   /// Joins lines that meet two and two, and removes erased lines and nodes nothing ends at, unless
-  /// they are alone. A ring without a junction keeps one node.
-  void tidy();
+  /// they are alone. A ring without a junction keeps one node. Joined lines keep the places of the
+  /// nodes between them, or not.
+  void tidy(bool keep_places = true);
 };
 
 /// The lines that end at each node; one from a node to itself is there twice.

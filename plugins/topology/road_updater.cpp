@@ -150,7 +150,7 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
   for (const ReplacedEdge& cell : replaced)
     seen.add(outlines.by_name, edges[cell.cell], edges[cell.cell], edges.column(cell.cell),
              edges.column(cell.cell), edges.row(cell.cell));
-  LineTracer tracer(space, outlines.by_name, edges, *courses);
+  LineTracer tracer(space, outlines.by_name, edges, *courses, method.least_apart(frame));
   store.update(tracer, space, touched, *courses);
   return true;
 }
@@ -171,7 +171,8 @@ RoadGraph RoadUpdater::full(const OccupancyGrid& grid, const Checkpoint& checkpo
                                   checkpoint, &replaced);
   }
   auto courses = std::make_unique<Courses>(!ColumnReach::fits(terrain.space));
-  LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, *courses);
+  LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, *courses,
+                    method_.least_apart(grid.frame));
   std::vector<TracedLine> lines = trace_lines(tracer, corners);
   checkpoint();
   if (!ColumnReach::fits(terrain.space))

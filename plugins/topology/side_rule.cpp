@@ -11,7 +11,6 @@ bool SideRule::divided_within(OutlineEdge a, OutlineEdge b, std::int32_t outline
   const Outlines::Place second = outlines_->place[static_cast<std::size_t>(b)];
   const double dx = first.column - second.column, dy = first.row - second.row;
   const double chord = std::sqrt(dx * dx + dy * dy);
-  if (kind_ == Kind::kSeparation) return chord >= least_;
   return ways_->between(a, b, outline) - chord >= least_;
 }
 

@@ -84,6 +84,20 @@ OutlineEdge LineTracer::edge_towards(CellIndex cell, int side) const {
   return outlines_.sides[static_cast<std::size_t>(edges_[cell])][static_cast<std::size_t>(side)];
 }
 
+/// What the two cells beside a step see.
+std::array<OutlineEdge, 2> LineTracer::seen_from(Divide step) const {
+  return {edge_towards(step.cell, step.north ? kNorth : kEast),
+          edge_towards(step.cell + (step.north ? stride_ : 1), step.north ? kSouth : kWest)};
+}
+
+bool LineTracer::narrow(Divide step) const {
+  const auto [a, b] = seen_from(step);
+  const Outlines::Place first = outlines_.place[static_cast<std::size_t>(a)];
+  const Outlines::Place second = outlines_.place[static_cast<std::size_t>(b)];
+  const double dx = first.column - second.column, dy = first.row - second.row;
+  return dx * dx + dy * dy < least_apart_ * least_apart_;
+}
+
 void LineTracer::trace_from(CellIndex start, std::vector<TracedLine>& lines) {
   const Steps starts = steps(start, true);
   for (std::size_t i = 0; i < starts.count; ++i) {
@@ -91,14 +105,18 @@ void LineTracer::trace_from(CellIndex start, std::vector<TracedLine>& lines) {
     if (traced(step)) continue;  // a ring came back
     TracedLine line;
     line.way = starts.way[i];
-    line.sides = {
-        edge_towards(step.cell, step.north ? kNorth : kEast),
-        edge_towards(step.cell + (step.north ? stride_ : 1), step.north ? kSouth : kWest)};
+    line.sides = seen_from(step);
     std::vector<LinePoint> points{node(start)};
     line.corners.push_back(start);
     CellIndex corner = start;
     while (true) {
       space_[step.cell] |= step.north ? kTracedNorth : kTracedEast;
+      if (least_apart_ > 0 && narrow(step)) {
+        const auto steps_before = static_cast<std::int32_t>(points.size()) - 1;
+        if (line.narrow.empty() || line.narrow.back().end < steps_before)
+          line.narrow.push_back({steps_before, steps_before});
+        ++line.narrow.back().end;
+      }
       points.push_back(point(step));
       corner = other_end(step, corner);
       line.corners.push_back(corner);
@@ -116,6 +134,9 @@ void LineTracer::trace_from(CellIndex start, std::vector<TracedLine>& lines) {
 void LineTracer::turn_round(TracedLine& line, std::vector<LinePoint>& points, Divide last) const {
   std::reverse(points.begin(), points.end());
   std::reverse(line.corners.begin(), line.corners.end());
+  std::reverse(line.narrow.begin(), line.narrow.end());
+  const auto count = static_cast<std::int32_t>(line.corners.size()) - 1;
+  for (StepRange& stretch : line.narrow) stretch = {count - stretch.end, count - stretch.begin};
   const Steps around = steps(line.from(), false);
   for (std::size_t i = 0; i < around.count; ++i)
     if (around.list[i].cell == last.cell && around.list[i].north == last.north)
@@ -158,6 +179,7 @@ TracedLine LineTracer::link(const Link& link, std::int32_t rank) {
   line.corners = {link.from, link.to};
   line.way = kWaysOfSteps + rank;
   line.sides = {-1, -1};
+  line.narrow = {{0, static_cast<std::int32_t>(link.cells.size())}};
   std::vector<LinePoint> points{node(link.from)};
   for (const CellIndex cell : link.cells) {
     const std::int64_t squared = squared_distance(edges_, outlines_, cell, edges_[cell]);

@@ -15,6 +15,12 @@ struct Link {
   std::vector<CellIndex> cells;  ///< the way, neighbours by side or corner; not empty
 };
 
+/// Steps of a line from `begin` to before `end`.
+struct StepRange {
+  std::int32_t begin = 0, end = 0;
+  bool operator==(const StepRange&) const = default;
+};
+
 /// A dividing line from node to node: a node is a corner where lines meet or end, or that a link
 /// ends at. A ring without a node has one at its lowest corner (by CellIndex).
 struct TracedLine {
@@ -22,6 +28,8 @@ struct TracedLine {
   std::int32_t way = 0;                ///< its rank among those that start at its first corner
   std::array<OutlineEdge, 2> sides{};  ///< an edge of the outline to either side, or -1: none
   CourseId course = kNoCourse;         ///< a point a step, and before and behind them the nodes'
+  /// Where the two places seen are nearer to each other than the tracer's least_apart.
+  std::vector<StepRange> narrow;
   CellIndex from() const { return corners.front(); }
   CellIndex to() const { return corners.back(); }
 };
@@ -37,11 +45,14 @@ inline bool comes_first(const TracedLine& a, const TracedLine& b) {
 /// their centres that is equally far from both.
 class LineTracer {
  public:
-  LineTracer(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges, Courses& courses)
+  /// `least_apart` in cells, for TracedLine::narrow.
+  LineTracer(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges, Courses& courses,
+             double least_apart)
       : space_(space),
         outlines_(outlines),
         edges_(edges),
         courses_(courses),
+        least_apart_(least_apart),
         stride_(space.stride()) {}
 
   /// Appends all lines not traced yet that pass one of the corners.
@@ -68,12 +79,15 @@ class LineTracer {
   LinePoint point(Divide step) const;
   LinePoint node(CellIndex corner) const;
   OutlineEdge edge_towards(CellIndex cell, int side) const;
+  std::array<OutlineEdge, 2> seen_from(Divide step) const;
+  bool narrow(Divide step) const;
   double excess(CellIndex cell, OutlineEdge first, OutlineEdge second) const;
 
   FreeSpace& space_;
   const Outlines& outlines_;
   const EdgeGrid& edges_;
   Courses& courses_;
+  double least_apart_;
   CellIndex stride_;
 };
 

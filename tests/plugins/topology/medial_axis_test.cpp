@@ -6,8 +6,10 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
 
-#include "plugins/topology/dividing_lines.hpp"
+#include "plugins/topology/trace_lines.hpp"
 #include "tests/plugins/topology/graph_checks.hpp"
 #include "tests/plugins/topology/test_grids.hpp"
 
@@ -63,6 +65,34 @@ class NaiveFeatures {
   std::vector<int> label_;
 };
 
+/// The steps of lines between sides that see places of two outlines or places `lambda` cells apart,
+/// by the cell and whether its neighbour is the northern one.
+std::set<std::pair<CellIndex, bool>> wide_steps(Lines& map, double lambda) {
+  std::vector<CellIndex> corners;
+  for (CellIndex cell = 0; cell < static_cast<CellIndex>(map.space.size()); ++cell)
+    if (map.space[cell] & kCorner) corners.push_back(cell);
+  Courses courses(false);
+  LineTracer tracer(map.space, map.outlines, map.edges, courses, lambda);
+  std::set<std::pair<CellIndex, bool>> wide;
+  for (const TracedLine& line : trace_lines(tracer, corners)) {
+    const auto outline = [&](int side) {
+      return map.outlines
+          .of_edge[static_cast<std::size_t>(line.sides[static_cast<std::size_t>(side)])];
+    };
+    auto narrow = line.narrow.begin();
+    for (std::size_t i = 1; i < line.corners.size(); ++i) {
+      const auto step = static_cast<std::int32_t>(i) - 1;
+      while (narrow != line.narrow.end() && narrow->end <= step) ++narrow;
+      const bool is_narrow = narrow != line.narrow.end() && narrow->begin <= step;
+      if (is_narrow && outline(0) == outline(1)) continue;
+      const CellIndex low = std::min(line.corners[i - 1], line.corners[i]);
+      const CellIndex high = std::max(line.corners[i - 1], line.corners[i]);
+      wide.emplace(high, high - low == 1);
+    }
+  }
+  return wide;
+}
+
 // Between two neighbours that each see one obstacle cell alone there is no choice: a line of the
 // lambda-medial axis runs if these two are that far apart or belong to different obstacles.
 TEST(MedialAxis, ByLambdaIsWhatItsDefinitionSaysOfEveryPairOfCells) {
@@ -70,9 +100,8 @@ TEST(MedialAxis, ByLambdaIsWhatItsDefinitionSaysOfEveryPairOfCells) {
   std::size_t lines = 0, pairs = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const OccupancyGrid grid = random_grid(34, 28, seed % 2 ? 0.8 : 0.97, seed % 2 ? 4 : 2, seed);
-    const Lines map(grid, 3, [](const Outlines& outlines) {
-      return SideRule::by_separation(outlines, kLambda);
-    });
+    Lines map(grid, 3, SideRule::between_sides);
+    const auto wide = wide_steps(map, kLambda);
     const NaiveFeatures naive(grid);
     for (std::int32_t row = 0; row < grid.frame.height; ++row) {
       for (std::int32_t column = 0; column < grid.frame.width; ++column) {
@@ -87,7 +116,7 @@ TEST(MedialAxis, ByLambdaIsWhatItsDefinitionSaysOfEveryPairOfCells) {
           const double apart =
               std::hypot(seen_a[0].column - seen_b[0].column, seen_a[0].row - seen_b[0].row);
           const bool wanted = seen_a[0].obstacle != seen_b[0].obstacle || apart >= kLambda;
-          const bool found = map.space[a] & (north ? kDividedNorth : kDividedEast);
+          const bool found = wide.contains({a, north});
           ASSERT_EQ(found, wanted) << "seed " << seed << ", cell " << column << ", " << row;
           lines += found ? 1U : 0U;
           ++pairs;
@@ -99,9 +128,9 @@ TEST(MedialAxis, ByLambdaIsWhatItsDefinitionSaysOfEveryPairOfCells) {
   EXPECT_GT(pairs, 10 * lines / 2);
 }
 
-/// How near to the corner of a wedge of free space its line begins, in metres. The wedge opens
-/// eastwards from (20, 60), turned, with walls 70 m long.
-double start_of_line(double opening, double turn, double gap,
+/// How near to the corner of a wedge of free space its line begins, in metres, and where its places
+/// are `lambda` cells apart. The wedge opens eastwards from (20, 60), turned, with walls 70 m long.
+double start_of_line(double opening, double turn, double lambda,
                      const std::function<SideRule(const Outlines&)>& rule) {
   const double resolution = 0.5;
   const OccupancyGrid grid = grid_where(120, 120, resolution, [=](double x, double y) {
@@ -110,12 +139,14 @@ double start_of_line(double opening, double turn, double gap,
     const double across = -std::sin(turn) * u + std::cos(turn) * v;
     return along > 0 && along < 70 && std::abs(across) < along * std::tan(opening / 2);
   });
-  const Lines map(grid, static_cast<std::int32_t>(gap), rule);
+  Lines map(grid, 3, rule);
+  const auto wide = wide_steps(map, lambda);
   const double corner_x = 60 - 35 * std::cos(turn), corner_y = 60 - 35 * std::sin(turn);
   double nearest = 1e9;
   for (std::int32_t row = 0; row < grid.frame.height; ++row) {
     for (std::int32_t column = 0; column < grid.frame.width; ++column) {
-      if (!(map.space[map.space.index(column, row)] & (kDividedEast | kDividedNorth))) continue;
+      const CellIndex cell = map.space.index(column, row);
+      if (!wide.contains({cell, false}) && !wide.contains({cell, true})) continue;
       const Vector2 place = grid.frame.centre({column, row});
       nearest = std::min(nearest, std::hypot(place.x() - corner_x, place.y() - corner_y));
     }
@@ -129,9 +160,7 @@ TEST(MedialAxis, ByLambdaBeginsWhereTheWallsOfACornerAreThatFarApart) {
   constexpr double kLambda = 12;  // metres
   for (const double opening : {0.6, 1.0, std::numbers::pi / 2}) {
     for (const double turn : {0.0, 0.3, 0.8}) {
-      const double start = start_of_line(opening, turn, 3, [](const Outlines& outlines) {
-        return SideRule::by_separation(outlines, kLambda / 0.5);
-      });
+      const double start = start_of_line(opening, turn, kLambda / 0.5, SideRule::between_sides);
       EXPECT_NEAR(start, kLambda / std::sin(opening), 1.5) << opening << ", turned by " << turn;
     }
   }
@@ -142,7 +171,7 @@ TEST(MedialAxis, ByChordResidualBeginsWhereTheWayRoundTheCornerIsThatMuchLonger)
   for (const double opening : {0.6, 1.0, std::numbers::pi / 2}) {
     for (const double turn : {0.0, 0.3, 0.8}) {
       OutlineWays ways;
-      const double start = start_of_line(opening, turn, 3, [&](const Outlines& outlines) {
+      const double start = start_of_line(opening, turn, 0, [&](const Outlines& outlines) {
         ways = measure_ways(outlines);
         return SideRule::by_residual(outlines, ways, kResidual / 0.5);
       });
