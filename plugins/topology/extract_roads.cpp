@@ -9,17 +9,18 @@ RoadGraph extract_roads(const OccupancyGrid& grid, const ExtractionMethod& metho
                         const Checkpoint& checkpoint) {
   Terrain terrain(grid, method, checkpoint);
   std::vector<CellIndex> corners;
+  std::vector<ReplacedEdge> replaced;
   {
     const DividingRule rule(method, grid.frame, terrain.outlines);
     corners = find_dividing_lines(terrain.space, terrain.outlines, rule.rule(), terrain.edges,
-                                  checkpoint);
+                                  checkpoint, &replaced);
   }
   Courses courses(true);
   LineTracer tracer(terrain.space, terrain.outlines, terrain.edges, courses,
                     method.least_apart(grid.frame));
   const std::vector<TracedLine> lines = trace_lines(tracer, corners);
   checkpoint();
-  return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines),
+  return finish_roads(terrain.space, terrain.outlines, terrain.edges, replaced, list_of(lines),
                       LineEnds(list_of(lines)), courses, method, grid.frame, nullptr, checkpoint);
 }
 

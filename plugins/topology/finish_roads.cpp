@@ -9,7 +9,17 @@
 
 namespace stope::topology {
 
-RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGrid& edges,
+namespace {
+
+/// Lets the cells see their own edges, or again their neighbours'.
+void exchange(std::vector<ReplacedEdge>& replaced, EdgeGrid& edges) {
+  for (ReplacedEdge& cell : replaced) std::swap(edges[cell.cell], cell.nearest);
+}
+
+}  // namespace
+
+RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, EdgeGrid& edges,
+                       std::vector<ReplacedEdge>& replaced,
                        const std::vector<const TracedLine*>& lines, const LineEnds& ends,
                        Courses& courses, const ExtractionMethod& method, const GridFrame& frame,
                        RoadMemo* memo, const Checkpoint& checkpoint) {
@@ -40,7 +50,10 @@ RoadGraph finish_roads(FreeSpace& space, const Outlines& outlines, const EdgeGri
   checkpoint();
   if (!method.params.medial_lines) straighten_junctions(network);
   const LineStyle style{method.params.simplify, method.params.medial_lines ? 0.0 : kSmoothingShare};
-  return to_road_graph(network, outlines, edges, space, frame, style, checkpoint, memo);
+  exchange(replaced, edges);
+  RoadGraph roads = to_road_graph(network, outlines, edges, space, frame, style, checkpoint, memo);
+  exchange(replaced, edges);
+  return roads;
 }
 
 }  // namespace stope::topology

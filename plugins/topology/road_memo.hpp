@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "plugins/topology/courses.hpp"
+#include "plugins/topology/looked_at.hpp"
 #include "plugins/topology/tile_set.hpp"
 #include "stope/payloads/road_graph.hpp"
 
@@ -23,18 +23,17 @@ class RoadMemo {
  public:
   /// What became of the course of this name before, or null.
   const FinishedRoad* find(std::int64_t name);
-  /// `places` are the points whose surroundings have been looked at.
-  const FinishedRoad& add(std::int64_t name, FinishedRoad road,
-                          const std::vector<LinePoint>& places);
+  const FinishedRoad& add(std::int64_t name, FinishedRoad road, const LookedAt& looked_at);
   /// Forgets the roads that were not asked for since the last call, and those of which a place lies
-  /// in one of the tiles, which those of later calls belong to.
-  void forget(const TileSet& tiles);
+  /// in one of the tiles or a cell that was probed in one that has flipped cells. Both sets are
+  /// like those of use_tiles.
+  void forget(const TileSet& tiles, const TileSet& flipped);
   void use_tiles(const TileSet& tiles, CellIndex stride) { tiles_ = &tiles, stride_ = stride; }
 
  private:
   struct Entry {
     FinishedRoad road;
-    std::vector<std::int32_t> tiles;
+    std::vector<std::int32_t> tiles, probed;
     bool used = true;
   };
 

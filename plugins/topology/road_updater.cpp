@@ -53,6 +53,7 @@ struct RoadUpdater::State {
         scratch(space.width(), space.height()),
         stale(space.width(), space.height()),
         touched(space.width(), space.height()),
+        flipped(space.width(), space.height()),
         courses(std::move(courses_of_lines)),
         store(std::move(lines), stale),
         names_at_first(outlines.number.size()) {
@@ -64,7 +65,7 @@ struct RoadUpdater::State {
 
   /// Free space, outlines, nearest edges, dividing lines and their centre lines as they are now.
   /// False if no free cell is left.
-  bool update(const ExtractionMethod& method, const std::vector<CellIndex>& flipped);
+  bool update(const ExtractionMethod& method, const std::vector<CellIndex>& cells);
 
   GridFrame frame;
   FreeSpace space;
@@ -75,7 +76,7 @@ struct RoadUpdater::State {
   std::vector<ReplacedEdge> replaced;
   SeenFrom seen;
   PaddedGrid<std::uint8_t> scratch;
-  TileSet stale, touched;
+  TileSet stale, touched, flipped;
   std::unique_ptr<Courses> courses;
   LineStore store;
   RoadMemo memo;
@@ -84,15 +85,15 @@ struct RoadUpdater::State {
 };
 
 bool RoadUpdater::State::update(const ExtractionMethod& method,
-                                const std::vector<CellIndex>& flipped) {
-  const CellWindow window = box_of(flipped, space);
+                                const std::vector<CellIndex>& cells) {
+  const CellWindow window = box_of(cells, space);
   // The nearest edges of all cells, as they were.
   std::vector<OutlineEdge> replacement;
   for (const ReplacedEdge& cell : replaced) {
     replacement.push_back(edges[cell.cell]);
     edges[cell.cell] = cell.nearest;
   }
-  for (const CellIndex cell : flipped) {
+  for (const CellIndex cell : cells) {
     space[cell] ^= kObstacle;
     free_cells += space[cell] & kObstacle ? -1 : 1;
   }
@@ -110,7 +111,9 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
 
   stale.clear();
   touched.clear();
-  for (const CellIndex cell : flipped) {
+  flipped.clear();
+  for (const CellIndex cell : cells) {
+    flipped.add(flipped.tile_of(cell));
     const std::int32_t column = space.column(cell), row = space.row(cell);
     stale.add(column - 1, row - 1, column + 1, row + 1);
     touched.add(column - 1, row - 1, column + 1, row + 1);
@@ -176,7 +179,7 @@ RoadGraph RoadUpdater::full(const OccupancyGrid& grid, const Checkpoint& checkpo
   std::vector<TracedLine> lines = trace_lines(tracer, corners);
   checkpoint();
   if (!ColumnReach::fits(terrain.space))
-    return finish_roads(terrain.space, terrain.outlines, terrain.edges, list_of(lines),
+    return finish_roads(terrain.space, terrain.outlines, terrain.edges, replaced, list_of(lines),
                         LineEnds(list_of(lines)), *courses, method_, grid.frame, nullptr,
                         checkpoint);
   state_ = std::make_unique<State>(method_, grid.frame, std::move(terrain), std::move(replaced),
@@ -188,8 +191,8 @@ RoadGraph RoadUpdater::finish(const Checkpoint& checkpoint) {
   // Whoever stops half way must not leave half a state.
   std::unique_ptr<State> state = std::move(state_);
   RoadGraph roads = finish_roads(state->space, state->outlines.by_name, state->edges,
-                                 state->store.list(), state->store.ends(), *state->courses, method_,
-                                 state->frame, &state->memo, checkpoint);
+                                 state->replaced, state->store.list(), state->store.ends(),
+                                 *state->courses, method_, state->frame, &state->memo, checkpoint);
   state->courses->forget_unused(state->store.courses());
   state_ = std::move(state);
   return roads;
@@ -216,7 +219,7 @@ RoadGraph RoadUpdater::update(const OccupancyGrid& grid, const CellWindow& windo
   std::unique_ptr<State> state = std::move(state_);
   if (!state->update(method_, flipped)) return full(grid, checkpoint);
   state_ = std::move(state);
-  state_->memo.forget(state_->touched);
+  state_->memo.forget(state_->touched, state_->flipped);
   return finish(checkpoint);
 }
 

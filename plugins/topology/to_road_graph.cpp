@@ -91,11 +91,12 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
     const double width = 2 * median_clearance(smooth) * frame.resolution;
     std::vector<LinePoint> simple =
         simplify_line(smooth, style.tolerance / frame.resolution, kClearanceShare);
-    field.measure(simple, memo ? &smooth : nullptr);
+    LookedAt looked_at{memo ? std::move(smooth) : std::vector<LinePoint>(), {}};
+    field.measure(simple, memo ? &looked_at : nullptr);
     std::vector<RoadVertex> vertices;
     for (const LinePoint& point : simple) vertices.push_back(to_vertex(point, frame));
     FinishedRoad road = settle_road(std::move(vertices), width, line.from == line.to);
-    if (memo) return &memo->add(network.courses->name(line.course), std::move(road), smooth);
+    if (memo) return &memo->add(network.courses->name(line.course), std::move(road), looked_at);
     made.push_back(std::make_unique<FinishedRoad>(std::move(road)));
     return static_cast<const FinishedRoad*>(made.back().get());
   };

@@ -17,7 +17,7 @@ struct LineStyle {
 /// Brings centre lines into the map frame, smoothed and simplified, as a
 /// canonical road graph. Clearance is measured to the obstacle's edge, taken half a cell before its
 /// centre; an edge's width is twice the median clearance along it. `memo`, if given, knows roads
-/// that are finished already; the graph is the same.
+/// that are finished already; the graph is the same. `edges` as DistanceField asks for.
 RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, const EdgeGrid& edges,
                         const FreeSpace& space, const GridFrame& frame, const LineStyle& style,
                         const Checkpoint& checkpoint = never_stop, RoadMemo* memo = nullptr);

@@ -38,6 +38,8 @@ void expect_clearances_along_lines(const OccupancyGrid& grid, const RoadGraph& r
   for (const RoadEdge& edge : roads.edges) {
     double least = 1e18, area = 0;
     const auto line = roads.polyline(edge);
+    for (const RoadVertex& vertex : line)
+      EXPECT_NEAR(vertex.clearance, obstacles.clearance(vertex.x, vertex.y), 1e-6 * cell);
     for (std::size_t i = 1; i < line.size(); ++i) {
       const double dx = line[i].x - line[i - 1].x, dy = line[i].y - line[i - 1].y;
       const double length = std::hypot(dx, dy);
@@ -50,10 +52,10 @@ void expect_clearances_along_lines(const OccupancyGrid& grid, const RoadGraph& r
         area += length / parts * here;
       }
     }
-    // The cells around a place may all miss the obstacle nearest to it by a little.
-    EXPECT_LE(edge.min_clearance, least + 0.1 * cell)
+    // A truck relies on it: it may be the least between two places looked at, but never more.
+    EXPECT_LE(edge.min_clearance, least + 1e-5 * cell)
         << "from " << line.front().x << ", " << line.front().y;
-    EXPECT_GE(edge.min_clearance, least - 0.05 * cell);
+    EXPECT_GE(edge.min_clearance, least - 0.03 * cell);
     const double mean = area / edge.length;
     EXPECT_NEAR(edge.mean_clearance, mean, std::max(0.1 * mean, 0.5 * cell));
   }
@@ -93,6 +95,28 @@ TEST(RoadClearance, IsTheLeastBetweenVerticesFarApart) {
   ASSERT_EQ(roads.edges.size(), 1U);
   expect_clearances_along_lines(grid, roads);
   EXPECT_NEAR(roads.edges[0].min_clearance, 6, 0.5);
+}
+
+// Cells cut off from the obstacle nearest to them, and obstacles nearest to places between cells
+// alone: clearances were up to 2.5 cells more than the truth.
+TEST(RoadClearance, IsNeverOverstatedAmongRandomSpecks) {
+  std::size_t roads_seen = 0;
+  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    const double free = seed % 3 == 0 ? 0.7 : seed % 3 == 1 ? 0.95 : 0.995;
+    const OccupancyGrid grid = random_grid(90, 70, free, 1, seed);
+    for (const bool medial : {false, true}) {
+      ExtractionParams params;
+      params.medial_lines = medial;
+      params.min_obstacle_area = 0;
+      params.min_clearance = 0;
+      for (const RoadGraph& roads :
+           {voronoi_roads(grid, params, {}), watershed_roads(grid, params)}) {
+        expect_clearances_along_lines(grid, roads);
+        roads_seen += roads.edges.size();
+      }
+    }
+  }
+  EXPECT_GT(roads_seen, 5000U);
 }
 
 }  // namespace
