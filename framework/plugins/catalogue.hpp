@@ -16,7 +16,7 @@ struct StageRecord {
   std::filesystem::path file;  ///< the plugin's library
   std::string plugin_id;
   std::string plugin_version;
-  std::string build_id;  ///< of the library, hexadecimal
+  std::string build_id;  ///< of the library, hexadecimal; of one without, a digest of its bytes
 };
 
 /// Which stages there are, and how to make one. The pipeline checker and the executor see plugins

@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 #include "framework/plugins/plugin_file.hpp"
+#include "stope/digest.hpp"
 
 namespace stope {
 
@@ -64,6 +67,17 @@ void OpenFile::read(std::uint64_t offset, std::uint64_t count, void* data,
     offset += static_cast<std::uint64_t>(got);
     count -= static_cast<std::uint64_t>(got);
   }
+}
+
+std::string OpenFile::digest() const {
+  Digester digester;
+  std::vector<char> piece(1 << 20);
+  for (std::uint64_t offset = 0; offset < size_; offset += piece.size()) {
+    const std::uint64_t count = std::min<std::uint64_t>(piece.size(), size_ - offset);
+    read(offset, count, piece.data(), "a part of it");
+    digester.write(piece.data(), count);
+  }
+  return digester.digest().text();
 }
 
 }  // namespace stope

@@ -20,6 +20,8 @@ class OpenFile {
   /// Reads `count` bytes at `offset` into `data`. Throws PluginRefused, naming `what`, if the file
   /// ends before.
   void read(std::uint64_t offset, std::uint64_t count, void* data, const std::string& what) const;
+  /// A digest of all its bytes, hexadecimal. Throws PluginRefused if it gets shorter meanwhile.
+  std::string digest() const;
   /// Throws PluginRefused, naming `what`, if the file ends before `offset + count`.
   void require(std::uint64_t offset, std::uint64_t count, const std::string& what) const;
 

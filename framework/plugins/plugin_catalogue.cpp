@@ -61,7 +61,9 @@ Manifest PluginCatalogue::examine(const std::filesystem::path& path, PluginFile&
     file.plugin_version = notes.stope->plugin_version;
   }
   check_note(notes);
-  const FileIdentity identity{path.string(), open.size(), open.modified(), notes.build_id};
+  // Without it a rebuilt plugin would pass for the one before.
+  if (file.build_id.empty()) file.build_id = open.digest();
+  const FileIdentity identity{path.string(), open.size(), open.modified(), file.build_id};
   identities_[path.string()] = identity;
   if (auto manifest = cache_.find(identity)) {
     file.cached = true;

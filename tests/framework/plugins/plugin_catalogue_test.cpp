@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 
 #include "stope/payloads.hpp"
 #include "stope/testing/memory_context.hpp"
@@ -37,6 +38,29 @@ TEST(PluginCatalogue, MakesAStageOfAPluginItFound) {
   std::shared_ptr<const void> output[1];
   ASSERT_TRUE(stage->apply({&input, 1}, context, output));
   EXPECT_EQ(static_cast<const Measures*>(output[0].get())->values, std::vector{6.0});
+}
+
+TEST(PluginCatalogue, TellsPluginsWithoutABuildIdFromOneAnother) {
+  testing::MemoryContext context;
+  const auto file = context.temporary_folder() / "plugin.so";
+  // As `-Wl,--build-id=none` leaves it, as far as anybody can tell: a note of another owner.
+  std::ifstream stream(GOOD_PLUGIN, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::string head{"\x14\0\0\0\x03\0\0\0GNU", 11};  // 20 bytes, type 3
+  const std::size_t note = bytes.find(head);
+  ASSERT_NE(note, std::string::npos);
+  bytes[note + head.size() - 1] = 'X';
+  const auto build_of = [&](const std::string& content) {
+    std::ofstream(file, std::ios::binary) << content;
+    const PluginCatalogue catalogue(options_for(file));
+    EXPECT_EQ(catalogue.files().at(0).sentence, "");
+    const StageRecord* record = catalogue.find("hostile/good");
+    return record ? record->build_id : "";
+  };
+  const std::string first = build_of(bytes);
+  EXPECT_EQ(first.size(), 32U) << first;
+  EXPECT_EQ(build_of(bytes), first);
+  EXPECT_NE(build_of(bytes + "rebuilt"), first);
 }
 
 TEST(PluginCatalogue, OpensNoLibraryWhoseManifestIsKept) {
