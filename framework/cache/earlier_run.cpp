@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/cache/digest_text.hpp"
+#include "framework/cache/json_complaint.hpp"
 #include "stope/error.hpp"
 
 namespace stope {
@@ -22,7 +23,11 @@ StageKey key_of(const Json& json) {
   return key;
 }
 
+constexpr int kFormat = 1;
+
 EarlierRun run_of(const Json& json) {
+  if (const Json& format = json.at("format"); format != kFormat)
+    throw Error(fmt::format("it has format {}, and this Stope reads {}", format.dump(), kFormat));
   EarlierRun run;
   run.version = json.at("stope").get<std::string>();
   run.end = json.at("run").at("end").get<std::string>();
@@ -57,14 +62,18 @@ EarlierRun read_earlier_run(const std::filesystem::path& file) {
   if (!stream)
     throw Error(fmt::format("cannot open {}: give the run.json of a run, or the folder it lies in",
                             file.string()));
+  std::string complaint;
   try {
     return run_of(Json::parse(stream));
   } catch (const Json::exception& error) {
-    throw Error(fmt::format(
-        "{} is not the run.json of a run of this Stope: {}. Runs of Stope before 0.1 did not "
-        "record their keys.",
-        file.string(), error.what()));
+    complaint = json_complaint(error);
+  } catch (const Error& error) {
+    complaint = error.what();
   }
+  throw Error(fmt::format(
+      "{} cannot be used: {}. Give the run.json of a run as this Stope leaves it, or make the run "
+      "anew",
+      file.string(), complaint));
 }
 
 std::string why_it_runs(const std::string& name, const StageKey& key, const EarlierRun* earlier,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "framework/cache/file_digests.hpp"
@@ -35,6 +36,35 @@ void compare_machines(const EarlierRun& earlier, const EarlierRun& now, ReplayVe
         fmt::format("the C library was {}, is {}", earlier.libraries, now.libraries));
   if (earlier.version != now.version)
     verdict.remarks.push_back(fmt::format("Stope was {}, is {}", earlier.version, now.version));
+}
+
+/// `again`: what the second run wrote; or null. `found`: the SHA-256 of what lies in the first
+/// one's folder now, if anything does.
+void compare_output(const EarlierOutput& was, const EarlierOutput* again,
+                    const std::optional<std::string>& found, ReplayVerdict& verdict) {
+  if (!found)
+    verdict.differences.push_back(
+        fmt::format("{} is not in the recorded run's folder any more", was.path));
+  if (!again) {
+    verdict.differences.push_back(fmt::format("{} was not written this time", was.path));
+    return;
+  }
+  ++verdict.compared;
+  const bool edited = found && *found != was.sha256;
+  if (again->sha256 != was.sha256)
+    verdict.differences.push_back(fmt::format(
+        "{}, whose SHA-256 was {} ({} bytes), is {} ({} bytes){}", was.path, was.sha256, was.bytes,
+        again->sha256, again->bytes,
+        !edited                   ? ""
+        : *found == again->sha256 ? ", as is the file in the recorded run's folder: run.json was "
+                                    "edited, or the file replaced"
+                                  : ", and the file in the recorded run's folder is a third: it "
+                                    "was edited or replaced"));
+  else if (edited)
+    verdict.differences.push_back(fmt::format(
+        "{} was edited or replaced after the recorded run: its SHA-256 was {}, which the second "
+        "run gives again, and is {}",
+        was.path, was.sha256, *found));
 }
 
 }  // namespace
@@ -84,22 +114,16 @@ ReplayVerdict compare_before(const EarlierRun& earlier, const Plan& plan,
   return verdict;
 }
 
-void compare_after(const EarlierRun& earlier, const EarlierRun& now,
-                   const std::vector<StageKey>& keys, const Plan& plan, ReplayVerdict& verdict) {
+void compare_after(const EarlierRun& earlier, const std::filesystem::path& folder,
+                   const EarlierRun& now, const std::vector<StageKey>& keys, const Plan& plan,
+                   ReplayVerdict& verdict) {
   std::set<std::string> paths;
   for (const EarlierOutput& was : earlier.outputs) {
     paths.insert(was.path);
     const auto is = std::find_if(now.outputs.begin(), now.outputs.end(),
                                  [&](const EarlierOutput& one) { return one.path == was.path; });
-    if (is == now.outputs.end()) {
-      verdict.differences.push_back(fmt::format("{} was not written this time", was.path));
-      continue;
-    }
-    ++verdict.compared;
-    if (is->sha256 != was.sha256)
-      verdict.differences.push_back(
-          fmt::format("{}, whose SHA-256 was {} ({} bytes), is {} ({} bytes)", was.path, was.sha256,
-                      was.bytes, is->sha256, is->bytes));
+    compare_output(was, is == now.outputs.end() ? nullptr : &*is,
+                   report::sha256_of_file(folder / was.path), verdict);
   }
   for (const EarlierOutput& is : now.outputs)
     if (!paths.contains(is.path)) verdict.differences.push_back(fmt::format("{} is new", is.path));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,12 @@ std::vector<StageKey> keys_of(const Plan& plan, const Catalogue& catalogue, std:
 ReplayVerdict compare_before(const EarlierRun& earlier, const Plan& plan,
                              const std::vector<StageKey>& keys, const std::string& version);
 
-/// Compares what the second run left with what the first did, file by file, and if something
-/// differs says what may be behind it: another processor, a stage that may give other bytes.
-void compare_after(const EarlierRun& earlier, const EarlierRun& now,
-                   const std::vector<StageKey>& keys, const Plan& plan, ReplayVerdict& verdict);
+/// Compares what the second run left with what the first recorded and with what lies in the first
+/// one's `folder` now, file by file, and if something differs says what may be behind it: another
+/// processor, a stage that may give other bytes, somebody who edited the file.
+void compare_after(const EarlierRun& earlier, const std::filesystem::path& folder,
+                   const EarlierRun& now, const std::vector<StageKey>& keys, const Plan& plan,
+                   ReplayVerdict& verdict);
 
 /// The first of the files that the pipeline was read from that has changed since, as a sentence;
 /// empty if none has.

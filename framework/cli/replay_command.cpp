@@ -13,6 +13,7 @@
 #include "framework/cli/interrupt.hpp"
 #include "framework/cli/run_pipeline.hpp"
 #include "framework/report/machine.hpp"
+#include "framework/report/quantity_text.hpp"
 #include "stope/error.hpp"
 
 namespace stope {
@@ -71,7 +72,8 @@ int say(const Arguments& arguments, const ReplayVerdict& verdict) {
     json["remarks"] = verdict.remarks;
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (verdict.same()) {
-    fmt::print("The same: {} files, bit for bit.\n", verdict.compared);
+    fmt::print("The same: {}, bit for bit.\n",
+               report::count_text(verdict.compared, "file", "files"));
     for (const std::string& remark : verdict.remarks) fmt::print("note: {}\n", remark);
   } else {
     fmt::print("Not the same. The first thing that differs: {}\n", verdict.differences.front());
@@ -115,8 +117,8 @@ int replay_command(const Arguments& arguments) {
       fmt::print(stderr, "error: {}\n", run.record.sentence);
       return kRunFailed;
     }
-    compare_after(earlier, read_earlier_run(playground.folder() / "run.json"), keys, *loaded.plan,
-                  verdict);
+    compare_after(earlier, record.parent_path(), read_earlier_run(playground.folder() / "run.json"),
+                  keys, *loaded.plan, verdict);
     if (!verdict.same()) {
       playground.keep();
       verdict.remarks.push_back(

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "framework/cache/json_complaint.hpp"
 #include "framework/compare/words.hpp"
 #include "stope/error.hpp"
 
@@ -238,7 +239,7 @@ Comparison read_comparison_json(std::string_view text) {
   try {
     return read(Json::parse(text));
   } catch (const nlohmann::json::exception& error) {
-    throw Error(fmt::format("it is not what Stope wrote: {}", error.what()));
+    throw Error(json_complaint(error));
   }
 }
 
