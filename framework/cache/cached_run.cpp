@@ -9,6 +9,7 @@
 
 #include "framework/cache/file_digests.hpp"
 #include "framework/cache/store_contents.hpp"
+#include "framework/cache/store_folder.hpp"
 #include "framework/cache/stored_stage.hpp"
 #include "framework/plugins/plugin_search.hpp"
 #include "framework/plugins/sdk_build.hpp"
@@ -62,6 +63,7 @@ struct CachedRun::State {
   void open_store() {
     if (use.store.empty()) return;
     try {
+      make_store(use.store);
       store.emplace(use.store);
     } catch (const std::exception& error) {
       complain(error.what());

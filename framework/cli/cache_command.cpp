@@ -5,11 +5,13 @@
 
 #include "framework/cache/cached_run.hpp"
 #include "framework/cache/store_contents.hpp"
+#include "framework/cache/store_folder.hpp"
 #include "framework/cli/arguments.hpp"
 #include "framework/cli/byte_size.hpp"
 #include "framework/cli/cache_use.hpp"
 #include "framework/cli/exit_code.hpp"
-#include "stope/error.hpp"
+#include "framework/cli/wrong_argument.hpp"
+#include "framework/report/quantity_text.hpp"
 
 namespace stope {
 namespace {
@@ -18,7 +20,11 @@ using Json = nlohmann::ordered_json;
 
 std::filesystem::path store_of(const Arguments& arguments) {
   const std::filesystem::path store = cache_use(arguments).store;
-  if (store.empty()) throw Error("there is no store: give --cache, or set STOPE_CACHE or HOME");
+  if (store.empty())
+    throw WrongArgument("there is no store: give --cache, or set STOPE_CACHE or HOME");
+  if (!is_store(store))
+    throw WrongArgument(fmt::format(
+        "there is no store in {}: a run that keeps results there makes one", store.string()));
   return store;
 }
 
@@ -28,6 +34,10 @@ void print(const Json& json) {
 
 Json json_of(const StoreUsage& usage) {
   return {{"objects", usage.objects}, {"bytes", usage.bytes}};
+}
+
+std::string objects_text(std::uint64_t count) {
+  return report::count_text(count, "object", "objects");
 }
 
 std::string time_text(std::time_t time) {
@@ -58,12 +68,14 @@ int cache_ls_command(const Arguments& arguments) {
     return kDone;
   }
   for (const StoredRecord& record : records)
-    fmt::print("{}  {}  {:>10}  {} ({}){}\n", time_text(record.used),
-               record.key.text().substr(0, 12), byte_size_text(record.bytes), record.name,
-               fmt::join(record.ports, ", "),
-               record.missing == 0 ? "" : fmt::format(", {} items are gone", record.missing));
-  fmt::print("{} results of stages, {} objects, {} in {}\n", records.size(), usage.objects,
-             byte_size_text(usage.bytes), root.string());
+    fmt::print(
+        "{}  {}  {:>10}  {} ({}){}\n", time_text(record.used), record.key.text().substr(0, 12),
+        byte_size_text(record.bytes), record.name, fmt::join(record.ports, ", "),
+        record.missing == 0 ? ""
+                            : ", gone: " + report::count_text(record.missing, "item", "items"));
+  fmt::print("{}, {}, {} in {}\n",
+             report::count_text(records.size(), "result of a stage", "results of stages"),
+             objects_text(usage.objects), byte_size_text(usage.bytes), root.string());
   return kDone;
 }
 
@@ -82,8 +94,8 @@ int cache_gc_command(const Arguments& arguments) {
     json["forgotten"] = forgotten;
     print(json);
   } else {
-    fmt::print("{} freed; {} objects, {} of at most {}, are left in {}\n", byte_size_text(freed),
-               after.objects, byte_size_text(after.bytes), byte_size_text(limit), root.string());
+    fmt::print("{} freed; left in {}: {}, {} of at most {}\n", byte_size_text(freed), root.string(),
+               objects_text(after.objects), byte_size_text(after.bytes), byte_size_text(limit));
   }
   return kDone;
 }
@@ -92,23 +104,28 @@ int cache_verify_command(const Arguments& arguments) {
   const std::filesystem::path root = store_of(arguments);
   ObjectStore store(root);
   const std::uint64_t damaged = verify(store);
+  const std::uint64_t damaged_records = verify_records(store);
   const std::uint64_t forgotten = forget_what_is_gone(store);
   const StoreUsage usage = usage_of(store);
+  const std::string left =
+      fmt::format("{} ({})", objects_text(usage.objects), byte_size_text(usage.bytes));
+  const bool sound = damaged + damaged_records == 0;
   if (arguments.json) {
     Json json = json_of(usage);
     json["damaged"] = damaged;
+    json["damaged_records"] = damaged_records;
     json["forgotten"] = forgotten;
     print(json);
-  } else if (damaged == 0) {
-    fmt::print("All {} objects ({}) in {} are sound.\n", usage.objects, byte_size_text(usage.bytes),
-               root.string());
+  } else if (sound) {
+    fmt::print("Nothing is damaged in {}: {}.\n", root.string(), left);
   } else {
     fmt::print(
-        "{} damaged objects were removed from {}; the {} others are sound. What they "
-        "belonged to will be computed again when it is needed.\n",
-        damaged, root.string(), usage.objects);
+        "Damaged, and removed from {}: {}, {}. What they belonged to will be computed again when "
+        "it is needed. Left and sound: {}.\n",
+        root.string(), objects_text(damaged),
+        report::count_text(damaged_records, "record", "records"), left);
   }
-  return damaged == 0 ? kDone : kRunFailed;
+  return sound ? kDone : kRunFailed;
 }
 
 }  // namespace stope

@@ -3,6 +3,9 @@
 #include <cstdlib>
 #include <string>
 
+#include "framework/cache/store_folder.hpp"
+#include "framework/cli/wrong_argument.hpp"
+
 namespace stope {
 
 namespace {
@@ -21,6 +24,8 @@ CacheUse cache_use(const Arguments& arguments) {
   if (arguments.cache.empty() && store_is_off()) return use;
   use.store = arguments.cache.empty() ? default_store() : arguments.cache;
   if (!use.store.empty()) use.store = std::filesystem::absolute(use.store);
+  if (const std::string why = use.store.empty() ? "" : why_no_store(use.store); !why.empty())
+    throw WrongArgument(why);
   const std::string keep =
       arguments.keep.empty() ? (arguments.resume ? "all" : "values") : arguments.keep;
   use.keep = keep == "none" ? Keep::kNothing : keep == "all" ? Keep::kAll : Keep::kValues;

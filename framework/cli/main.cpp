@@ -6,6 +6,7 @@
 #include "framework/cli/arguments.hpp"
 #include "framework/cli/byte_size.hpp"
 #include "framework/cli/exit_code.hpp"
+#include "framework/cli/wrong_argument.hpp"
 
 namespace {
 
@@ -187,6 +188,9 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return dispatch(argc, argv);
+  } catch (const stope::WrongArgument& error) {
+    std::fprintf(stderr, "stope: %s\n", error.what());
+    return stope::kWrongArguments;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "stope: %s\n", error.what());
     return stope::kRunFailed;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "framework/cache/file_digests.hpp"
+#include "framework/cache/store_folder.hpp"
 #include "framework/plugins/sdk_build.hpp"
 #include "stope/digest.hpp"
 
@@ -11,7 +12,9 @@ namespace stope {
 std::vector<StageKey> arm_keys(const CompareJob& job, const Plan& plan, std::uint64_t seed,
                                const std::string& run) {
   const std::filesystem::path& store = job.options.cache.store;
-  FileDigests digests(store.empty() ? std::filesystem::path() : store / "digests");
+  // What is no store is left alone.
+  const bool is_there = !store.empty() && is_store(store);
+  FileDigests digests(is_there ? store / "digests" : std::filesystem::path());
   KeyFacts facts;
   facts.seed = seed;
   facts.run = run;
@@ -20,7 +23,7 @@ std::vector<StageKey> arm_keys(const CompareJob& job, const Plan& plan, std::uin
     return digests.of(path, job.options.stop);
   };
   std::vector<StageKey> keys = stage_keys(plan, job.catalogue, facts);
-  if (!store.empty()) digests.save();
+  if (is_there) digests.save();
   return keys;
 }
 

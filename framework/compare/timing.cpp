@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "framework/cache/store_folder.hpp"
 #include "framework/cache/stored_stage.hpp"
 #include "framework/compare/arm_keys.hpp"
 #include "framework/compare/arm_record.hpp"
@@ -53,7 +54,7 @@ class Timer {
  public:
   Timer(const CompareJob& job, std::uint64_t seed) : job_(job), seed_(seed) {
     const std::filesystem::path& root = job.options.cache.store;
-    if (root.empty()) return;
+    if (root.empty() || !is_store(root)) return;
     objects_.emplace(root);
     kept_.emplace(root);
   }

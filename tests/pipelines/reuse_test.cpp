@@ -141,6 +141,62 @@ TEST_F(ReuseTest, TheStoreCanBeLookedAtCheckedAndEmptied) {
   EXPECT_NE(call({"cache", "ls"}).out.find("roads (roads)"), std::string::npos);
 }
 
+TEST_F(ReuseTest, DamagedRecordsAreFoundByVerify) {
+  run();
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "store/stages"))
+    if (entry.is_regular_file()) write_file(entry.path(), "garbage");
+  const auto damaged = call({"cache", "verify"});
+  EXPECT_EQ(damaged.exit_code, 1);
+  EXPECT_NE(damaged.out.find("Damaged, and removed from"), std::string::npos) << damaged.out;
+  const auto sound = call({"cache", "verify"});
+  EXPECT_EQ(sound.exit_code, 0);
+  EXPECT_NE(sound.out.find("Nothing is damaged in"), std::string::npos) << sound.out;
+  EXPECT_EQ(ran(run()), 4);
+}
+
+TEST_F(ReuseTest, CommandsOfTheStoreMakeNone) {
+  for (const char* command : {"ls", "gc", "verify"}) {
+    const auto result = call({"cache", command});
+    EXPECT_EQ(result.exit_code, 2) << command;
+    EXPECT_NE(result.err.find("there is no store in"), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(folder_.path() / "store")) << command;
+  }
+}
+
+TEST_F(ReuseTest, AFolderOfSomethingElseIsNotUsedAsAStore) {
+  const fs::path scans = folder_.path() / "scans";
+  fs::create_directory(scans);
+  write_file(scans / "000000.bin", "a scan");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"cache", "ls"},
+        {"cache", "gc"},
+        {"cache", "verify"},
+        {"run", pipeline().string(), "--out", out().string()}}) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--cache", scans.string()});
+    const auto result = call(all);
+    EXPECT_EQ(result.exit_code, 2) << result.out;
+    EXPECT_NE(result.err.find("is not empty and is no store"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(scans), fs::directory_iterator()), 1);
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(ReuseTest, AMapUnpackedOverAnotherIsNoticedThoughItLooksTheSame) {
+  run();
+  const auto digests = output_digests(out());
+  const fs::path picture = fs::path(map_).replace_extension(".pgm");
+  // As tar does: another content of the same length, and the time that the archive gives.
+  const auto time = fs::last_write_time(picture);
+  std::string bytes = read_file(picture);
+  for (std::size_t i = bytes.size() - 120 * 15; i < bytes.size() - 120 * 12; ++i)
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x7f);
+  write_file(picture, bytes);
+  fs::last_write_time(picture, time);
+  EXPECT_EQ(ran(run()), 4);
+  EXPECT_NE(output_digests(out()), digests);
+}
+
 TEST_F(ReuseTest, AReplayGivesTheSameBytes) {
   run({"--set", "roads.min_clearance=4 m", "--seed", "3"});
   const auto replay = call({"replay", out().string()});
@@ -180,6 +236,23 @@ TEST_F(ReuseTest, AReplayNamesTheArtefactThatDiffers) {
   EXPECT_NE(replay.out.find("outputs/roads.geojson, whose SHA-256 was 0000"), std::string::npos)
       << replay.out;
   EXPECT_NE(replay.out.find("features were imaginary"), std::string::npos) << replay.out;
+}
+
+TEST_F(ReuseTest, AReplayNoticesAnArtefactThatWasEditedOrRemoved) {
+  run();
+  const fs::path roads = out() / "outputs/roads.geojson";
+  write_file(roads, read_file(roads) + " ");
+  const auto edited = call({"replay", out().string()});
+  EXPECT_EQ(edited.exit_code, 1);
+  EXPECT_NE(edited.out.find("outputs/roads.geojson was edited or replaced after the recorded run"),
+            std::string::npos)
+      << edited.out;
+  fs::remove(roads);
+  const auto removed = call({"replay", out().string()});
+  EXPECT_EQ(removed.exit_code, 1);
+  EXPECT_NE(removed.out.find("outputs/roads.geojson is not in the recorded run's folder any more"),
+            std::string::npos)
+      << removed.out;
 }
 
 TEST_F(ReuseTest, AReplayOfNothingIsRefused) {

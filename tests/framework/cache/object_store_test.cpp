@@ -5,10 +5,13 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <string>
 
 #include "framework/cache/item_journal.hpp"
+#include "framework/cache/kept_stage.hpp"
+#include "framework/cache/store_contents.hpp"
 #include "stope/error.hpp"
 #include "stope/random.hpp"
 #include "stope/testing/memory_context.hpp"
@@ -158,6 +161,52 @@ TEST_F(ObjectStoreTest, VerifyFindsDamageAndStrangers) {
   EXPECT_EQ(verify(store_), 2U);
   EXPECT_EQ(verify(store_), 0U);
   EXPECT_EQ(usage_of(store_).objects, 1U);
+}
+
+TEST_F(ObjectStoreTest, VerifyFindsDamagedRecords) {
+  KeptStages stages(store_.root());
+  const StoredObject object = put(noise(1000, 1));
+  for (const Digest& key : {Digest{1, 2}, Digest{3, 4}, Digest{5, 6}, Digest{7, 8}}) {
+    KeptStage kept;
+    kept.name = "roads";
+    kept.outputs = {{"roads", "toy", 0, false, {{0, 0, object.digest, object.size}}}};
+    stages.save(key, kept);
+  }
+  const auto file_of = [&](const Digest& key) {
+    return store_.root() / "stages" / key.text().substr(0, 2) / key.text().substr(2);
+  };
+  EXPECT_EQ(verify_records(store_), 0U);
+  std::ofstream(file_of({1, 2})) << "garbage";
+  fs::resize_file(file_of({3, 4}), fs::file_size(file_of({3, 4})) - 1);
+  std::fstream flipped(file_of({5, 6}), std::ios::in | std::ios::out | std::ios::binary);
+  flipped.seekp(20);
+  flipped.put('\x7f');
+  flipped.close();
+  std::ofstream(store_.root() / "stages" / "stranger") << "?";
+  // Another process is just writing that one.
+  std::ofstream(file_of({7, 8}).string() + ".4711") << "half";
+  std::ofstream(store_.root() / "digests") << "garbage";
+  EXPECT_EQ(verify_records(store_), 5U);
+  EXPECT_EQ(verify_records(store_), 0U);
+  EXPECT_TRUE(fs::exists(file_of({7, 8}).string() + ".4711"));
+  EXPECT_FALSE(stages.find({1, 2}));
+  EXPECT_TRUE(stages.find({7, 8}));
+  EXPECT_EQ(contents_of(store_).size(), 1U);
+}
+
+TEST_F(ObjectStoreTest, AResultThatIsGoneHasTheTimeOfItsRecord) {
+  KeptStage kept;
+  kept.name = "roads";
+  const StoredObject object = put(noise(1000, 1));
+  kept.outputs = {{"roads", "toy", 0, false, {{0, 0, object.digest, object.size}}}};
+  KeptStages(store_.root()).save({1, 2}, kept);
+  fs::remove(store_.file_of(object.digest));
+  const std::vector<StoredRecord> records = contents_of(store_);
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(records[0].missing, 1U);
+  const std::time_t now = std::time(nullptr);
+  EXPECT_LE(records[0].used, now + 2);
+  EXPECT_GE(records[0].used, now - 60);
 }
 
 TEST_F(ObjectStoreTest, SeveralProcessesShareIt) {
