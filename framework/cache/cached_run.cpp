@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "framework/cache/file_digests.hpp"
+#include "framework/cache/input_check.hpp"
 #include "framework/cache/store_contents.hpp"
 #include "framework/cache/store_folder.hpp"
 #include "framework/cache/stored_stage.hpp"
@@ -51,10 +52,12 @@ struct CachedRun::State {
   std::uint64_t seed;
   CacheUse use;
   RunObserver& observer;
-  std::optional<Store> store;
-  std::vector<StageKey> keys;
-  Reuse reuse;
-  std::string complaint;
+  std::optional<Store> store{};
+  std::optional<FileDigests> digests{};
+  std::vector<StageKey> keys{};
+  Reuse reuse{};
+  std::optional<InputCheck> inputs{};  ///< of the latest attempt
+  std::string complaint{};
 
   void complain(const std::string& sentence) {
     if (complaint.empty()) complaint = sentence;
@@ -71,16 +74,16 @@ struct CachedRun::State {
   }
 
   void make_keys(const std::atomic<bool>* stop) {
-    FileDigests digests(store ? use.store / "digests" : std::filesystem::path());
+    digests.emplace(store ? use.store / "digests" : std::filesystem::path());
     KeyFacts facts;
     facts.seed = seed;
     facts.run = name_of_this_run();
     facts.sdk = sdk_build_id();
     facts.digest_of_path = [&](const std::filesystem::path& path) {
-      return digests.of(path, stop);
+      return digests->of(path, stop);
     };
     keys = stage_keys(plan, catalogue, facts);
-    if (store) digests.save();
+    if (store) digests->save();
   }
 
   Reuse decided(const std::vector<PlannedSource>& wanted, bool take) const {
@@ -105,6 +108,15 @@ struct CachedRun::State {
                      fmt::format("goes on: {} items were made before", reuse.made[i][0].size()));
   }
 
+  void warn_of_changed_inputs() const {
+    for (const std::filesystem::path& path : inputs->changed())
+      observer.log(LogLevel::kWarning, "",
+                   fmt::format("{} was changed, replaced or touched while the run went on: the "
+                               "results may be made of both the old and the new, and nothing that "
+                               "depends on it is kept for other runs. Run again when it is settled",
+                               path.string()));
+  }
+
   void tidy_up() {
     if (!store || reuse.count(Fate::kRuns) == 0) return;
     try {
@@ -118,7 +130,7 @@ struct CachedRun::State {
 
 CachedRun::CachedRun(const Plan& plan, const Catalogue& catalogue, std::uint64_t seed, CacheUse use,
                      RunObserver& observer, const std::atomic<bool>* stop)
-    : state_(new State{plan, catalogue, seed, std::move(use), observer, {}, {}, {}, {}}) {
+    : state_(new State{plan, catalogue, seed, std::move(use), observer}) {
   state_->open_store();
   state_->make_keys(stop);
 }
@@ -139,21 +151,26 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
   // What is found damaged is removed, so that each attempt takes less from the store.
   for (std::size_t attempt = 0;; ++attempt) {
     state.reuse = state.decided(wanted, state.use.take && attempt <= state.plan.stages.size());
+    state.inputs.emplace(state.plan, state.keys, state.reuse.fates, *state.digests);
     state.tell();
     std::vector<Sink> sinks = sinks_of(state.reuse);
     if (!state.store) {
-      return run_plan(state.plan, state.catalogue, sinks, options, state.observer, progress);
+      RunRecord record =
+          run_plan(state.plan, state.catalogue, sinks, options, state.observer, progress);
+      state.warn_of_changed_inputs();
+      return record;
     }
     std::vector<PlannedSource> read = wanted;
     for (const Sink& sink : sinks) read.push_back(sink.source);
-    Keeper keeper(state.plan, state.keys, state.reuse, read, state.use.keep, state.store->stages,
-                  state.store->objects, &state.store->journal);
+    Keeper keeper(state.plan, state.keys, state.reuse, read, state.use.keep, *state.inputs,
+                  state.store->stages, state.store->objects, &state.store->journal);
     std::vector<Sink> all = keeper.sinks();
     all.insert(all.end(), sinks.begin(), sinks.end());
     const Plan plan = with_reuse(state.plan, state.reuse);
     const ReusingCatalogue catalogue(state.plan, state.reuse, state.catalogue,
                                      state.store->objects);
     RunRecord record = run_plan(plan, catalogue, all, options, state.observer, progress);
+    keeper.end();
     if (const std::string complaint = keeper.complaint(); !complaint.empty())
       state.complain(complaint);
     if (record.end == RunRecord::End::kFailed && catalogue.damaged()) {
@@ -161,15 +178,21 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
                          "something in the store was damaged or removed; it is computed anew");
       continue;
     }
+    state.warn_of_changed_inputs();
     state.tidy_up();
     return record;
   }
+}
+
+bool CachedRun::inputs_hold(std::size_t stage) const {
+  return !state_->inputs || state_->inputs->holds(stage);
 }
 
 void CachedRun::note(std::size_t stage, const std::string& name,
                      const std::function<void(ByteSink&)>& write) {
   State& state = *state_;
   if (!state.store || state.use.keep == Keep::kNothing || state.keys[stage].only_this_run) return;
+  if (!inputs_hold(stage)) return;
   try {
     const StoredObject object = state.store->objects.put(write);
     KeptStage kept;

@@ -56,6 +56,10 @@ class CachedRun {
                 const std::function<void(const RunProgress&)>& progress = {});
   /// What became of each stage; after run().
   const Reuse& reuse() const;
+  /// Whether the files that the stage and those above it may have read in this run still are what
+  /// their keys were made of; after run(). If not, nothing that depends on them was kept, and the
+  /// observer was warned.
+  bool inputs_hold(std::size_t stage) const;
   /// Why something was not taken or kept; empty if nothing went wrong.
   std::string complaint() const;
 

@@ -2,12 +2,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <ctime>
 #include <system_error>
 #include <vector>
 
@@ -17,9 +15,6 @@ namespace stope {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A file changed so short ago may change again without its time telling.
-constexpr std::int64_t kSettled = 2'000'000'000;  // ns
 
 [[noreturn]] void unreadable(const fs::path& path, const std::string& why) {
   throw Error(fmt::format("cannot read {} to tell whether it has changed: {}", path.string(), why));
@@ -48,13 +43,15 @@ Digest read_and_digest(const fs::path& file, const std::atomic<bool>* stop) {
   return digester.digest();
 }
 
-std::int64_t nanoseconds(const timespec& time) {
-  return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
-}
+std::string name_of(const fs::path& path) { return fs::absolute(path).lexically_normal().string(); }
+
+/// Since 1970.
+std::chrono::nanoseconds now() { return std::chrono::system_clock::now().time_since_epoch(); }
 
 }  // namespace
 
-FileDigests::FileDigests(fs::path table) : table_(std::move(table)) {
+FileDigests::FileDigests(fs::path table, std::chrono::nanoseconds settling)
+    : table_(std::move(table)), settling_(settling) {
   const auto saved = load_checked<Table>(table_);
   if (!saved || saved->paths.size() != saved->known.size()) return;
   for (std::size_t i = 0; i < saved->paths.size(); ++i) known_[saved->paths[i]] = saved->known[i];
@@ -74,46 +71,57 @@ void FileDigests::save() const {
 }
 
 Digest FileDigests::of(const fs::path& path, const std::atomic<bool>* stop) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) return digest_of(std::string("nothing"));
-  if (error) unreadable(path, error.message());
-  return fs::is_directory(status) ? of_folder(path, stop) : of_file(path, stop);
-}
-
-Digest FileDigests::of_file(const fs::path& file, const std::atomic<bool>* stop) {
-  struct stat facts {};
-  if (::stat(file.c_str(), &facts) != 0) unreadable(file, std::system_category().message(errno));
-  const std::int64_t modified = nanoseconds(facts.st_mtim);
-  const auto size = static_cast<std::uint64_t>(facts.st_size);
-  const std::string name = fs::absolute(file).lexically_normal().string();
-  if (const auto found = known_.find(name); found != known_.end()) {
-    const Known& known = found->second;
-    if (known.size == size && known.modified == modified && known.inode == facts.st_ino)
-      return {known.high, known.low};
+  // Looked at before it is read: who changes it while it is read is seen later.
+  PathFacts facts = facts_of(path);
+  Digest digest;
+  switch (facts.kind) {
+    case PathFacts::Kind::kNothing:
+      digest = kNothingThere;
+      break;
+    case PathFacts::Kind::kFile:
+      digest = of_file(path, facts.files[0].facts, stop);
+      break;
+    case PathFacts::Kind::kFolder:
+      digest = of_folder(path, facts.files, stop);
+      break;
   }
-  const Digest digest = read_and_digest(file, stop);
-  timespec now{};
-  ::clock_gettime(CLOCK_REALTIME, &now);
-  if (nanoseconds(now) - modified > kSettled)
-    known_[name] = {size, facts.st_ino, modified, digest.high, digest.low};
+  // Of two digests of a path in one run the first counts.
+  seen_.emplace(name_of(path), std::move(facts));
   return digest;
 }
 
-Digest FileDigests::of_folder(const fs::path& folder, const std::atomic<bool>* stop) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (entry->is_regular_file())
-      names.push_back(entry->path().lexically_relative(folder).string());
+bool FileDigests::is_as_seen(const fs::path& path) const {
+  const auto seen = seen_.find(name_of(path));
+  if (seen == seen_.end()) return false;
+  try {
+    return facts_of(path) == seen->second;
+  } catch (const Error&) {
+    return false;
   }
-  if (error) unreadable(folder, error.message());
-  std::sort(names.begin(), names.end());
+}
+
+Digest FileDigests::of_file(const fs::path& file, const FileFacts& facts,
+                            const std::atomic<bool>* stop) {
+  const std::string name = name_of(file);
+  if (const auto found = known_.find(name); found != known_.end() && found->second.facts() == facts)
+    return {found->second.high, found->second.low};
+  const std::int64_t settled = (now() - settling_).count();
+  const Digest digest = read_and_digest(file, stop);
+  if (std::max(facts.modified, facts.changed) < settled) {
+    known_[name] = {facts.size,    facts.inode, facts.modified,
+                    facts.changed, digest.high, digest.low};
+  } else {
+    known_.erase(name);
+  }
+  return digest;
+}
+
+Digest FileDigests::of_folder(const fs::path& folder, const std::vector<PathFacts::Entry>& files,
+                              const std::atomic<bool>* stop) {
   Digester digester;
-  for (const std::string& name : names) {
+  for (const auto& [name, facts] : files) {
     encode(name, digester);
-    const Digest digest = of_file(folder / name, stop);
+    const Digest digest = of_file(folder / name, facts, stop);
     digester.write(&digest, sizeof digest);
   }
   return digester.digest();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -14,6 +16,11 @@
 namespace stope {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+/// Of a run's time at most so much goes into looking at its input files after each item.
+constexpr int kShareOfLooking = 20;  // a twentieth
+
 /// One output that is being kept. Its sink alone writes it.
 struct Recording {
   PlannedSource source;
@@ -21,6 +28,7 @@ struct Recording {
   KeptOutput output;
   bool is_source = false;
   std::uint64_t items = 0;
+  std::vector<KeptItem> unnoted;  ///< of a map, and not in the journal yet
   bool failed = false;
 };
 
@@ -39,6 +47,7 @@ bool is_result(const PlannedStage& stage, std::size_t port) {
 
 struct Keeper::State {
   const Plan& plan;
+  const InputCheck& inputs;
   KeptStages& kept;
   ObjectStore& store;
   ItemJournal* journal;  ///< or null
@@ -46,6 +55,8 @@ struct Keeper::State {
   std::vector<StageRecording> stages;
   mutable std::mutex mutex;  ///< of stages and complaint
   std::string complaint;
+  Clock::time_point begin = Clock::now();
+  std::atomic<Clock::duration> looking = Clock::duration::zero();
 
   void fail(Recording& recording, const std::exception& error) {
     recording.failed = true;
@@ -66,14 +77,28 @@ struct Keeper::State {
       const StoredObject object =
           store.put([&](ByteSink& sink) { item.payload->type().encode(value.get(), sink); });
       recording.output.items.push_back({item.stamp, item.index, object.digest, object.size});
-      if (journal && is_resumable(recording))
-        journal->add(stages[recording.stage].key, recording.output.port,
-                     recording.output.items.back());
+      if (!journal || !is_resumable(recording)) return;
+      recording.unnoted.push_back(recording.output.items.back());
+      // A recording may be thousands of files: items wait until it is worth a look at them all.
+      if (looking.load() * kShareOfLooking <= Clock::now() - begin) note_items(recording);
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& error) {
       fail(recording, error);
     }
+  }
+
+  /// Once the inputs have been looked at, whoever goes on with the run may believe the items.
+  void note_items(Recording& recording) {
+    if (recording.unnoted.empty()) return;
+    const Clock::time_point before = Clock::now();
+    const bool right = inputs.holds(recording.source.stage);
+    const Clock::duration took = Clock::now() - before;
+    looking = looking.load() + took;
+    if (right)
+      for (const KeptItem& item : recording.unnoted)
+        journal->add(stages[recording.stage].key, recording.output.port, item);
+    recording.unnoted.clear();
   }
 
   bool is_resumable(const Recording& recording) const {
@@ -82,9 +107,11 @@ struct Keeper::State {
   }
 
   void finish(Recording& recording) {
+    note_items(recording);
+    const bool right = inputs.holds(recording.source.stage);
     const std::lock_guard lock(mutex);
     StageRecording& stage = stages[recording.stage];
-    if (!recording.failed) stage.kept.outputs.push_back(std::move(recording.output));
+    if (!recording.failed && right) stage.kept.outputs.push_back(std::move(recording.output));
     if (--stage.open > 0 || stage.kept.outputs.empty()) return;
     try {
       kept.save(stage.key, stage.kept);
@@ -97,9 +124,9 @@ struct Keeper::State {
 };
 
 Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
-               const std::vector<PlannedSource>& wanted, Keep keep, KeptStages& kept,
-               ObjectStore& store, ItemJournal* journal)
-    : state_(new State{plan, kept, store, journal, {}, {}, {}, {}}) {
+               const std::vector<PlannedSource>& wanted, Keep keep, const InputCheck& inputs,
+               KeptStages& kept, ObjectStore& store, ItemJournal* journal)
+    : state_(new State{plan, inputs, kept, store, journal, {}, {}, {}, {}}) {
   if (keep == Keep::kNothing) return;
   std::set<std::pair<std::size_t, std::size_t>> read;
   for (const PlannedSource& source : wanted) read.emplace(source.stage, source.port);
@@ -125,6 +152,7 @@ Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse&
                                   {info.name, info.type, info.layout, false, {}},
                                   planned.info.inputs.empty(),
                                   0,
+                                  {},
                                   false});
   }
 }
@@ -142,6 +170,10 @@ std::vector<Sink> Keeper::sinks() {
                      [this, &recording] { state_->finish(recording); }});
   }
   return sinks;
+}
+
+void Keeper::end() {
+  for (Recording& recording : state_->recordings) state_->note_items(recording);
 }
 
 std::string Keeper::complaint() const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <variant>
 
+#include "framework/cache/file_digests.hpp"
 #include "stope/error.hpp"
 
 namespace stope {
@@ -115,7 +116,9 @@ class KeyMaker {
 
   std::string content_of(const std::filesystem::path& path, StageKey& key) const {
     try {
-      return "content " + facts_.digest_of_path(path).text();
+      key.files.push_back(path);
+      const Digest digest = facts_.digest_of_path(path);
+      return digest == kNothingThere ? "nothing there" : "content " + digest.text();
     } catch (const Error& error) {
       key.only_this_run = true;
       return error.what();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct KeyPart {
 struct StageKey {
   Digest digest;
   std::vector<KeyPart> parts;  ///< in a fixed order
+  /// Files and folders whose content the parts tell, as the stage names them.
+  std::vector<std::filesystem::path> files;
   /// Whether the key holds for this run only: the stage, or one above it, may give other bytes
   /// each time.
   bool only_this_run = false;

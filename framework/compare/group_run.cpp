@@ -57,6 +57,7 @@ class GroupRun {
       cells_.push_back(std::make_unique<CellRun>(job.experiment, planned, job.catalogue,
                                                  facts_of(arm, recording), metrics, comparison,
                                                  cell));
+      planned_.push_back(&planned);
       names_.push_back(comparison.arms[arm].name);
     }
   }
@@ -66,8 +67,11 @@ class GroupRun {
     std::vector<PlanToMerge> plans;
     for (const auto& cell : cells_)
       keys.push_back(arm_keys(job_, cell->plan(), seed_, comparison_.id));
-    for (std::size_t arm = 0; arm < cells_.size(); ++arm)
+    for (std::size_t arm = 0; arm < cells_.size(); ++arm) {
       plans.push_back({names_[arm], &cells_[arm]->plan(), &keys[arm]});
+      // Files may have changed since the comparison began.
+      cells_[arm]->cell().key = cell_key(job_.experiment, *planned_[arm], keys[arm]);
+    }
     const MergedPlan all = merge_plans(plans);
     // A run that was stopped, because a stage could not even be made, is repeated without its arms.
     while (failed_.size() < cells_.size()) {
@@ -77,6 +81,7 @@ class GroupRun {
                        job_.options.stop);
       RunRecord record = run(merged, cached);
       note_seconds(merged, cached, record);
+      forget_wrong_keys(merged, cached, keys);
       metrics_.require_hope();
       if (record.end == RunRecord::End::kCancelled) return false;
       if (!cached.complaint().empty()) warn_of_store(cached.complaint());
@@ -176,6 +181,20 @@ class GroupRun {
     }
   }
 
+  // A cell whose input files changed while it was computed, or just before, must not pass for a
+  // result of what its key tells when the comparison is gone on with.
+  void forget_wrong_keys(const MergedPlan& merged, const CachedRun& cached,
+                         const std::vector<std::vector<StageKey>>& keys) {
+    for_each_left([&](std::size_t arm, CellRun& cell) {
+      for (std::size_t i = 0; i < keys[arm].size(); ++i) {
+        const std::size_t place = merged.places[arm][i];
+        const bool same =
+            keys[arm][i].only_this_run || keys[arm][i].digest == cached.keys()[place].digest;
+        if (!same || !cached.inputs_hold(place)) cell.cell().key.clear();
+      }
+    });
+  }
+
   // In the order of the plan, so that of several things that went wrong in an arm the same is told
   // whichever came first.
   void fail_owners(const MergedPlan& merged, const RunRecord& record) {
@@ -210,6 +229,7 @@ class GroupRun {
   Comparison& comparison_;
   std::uint64_t seed_;
   std::vector<std::unique_ptr<CellRun>> cells_;
+  std::vector<const PlannedArm*> planned_;
   std::vector<std::string> names_;
   std::set<std::size_t> failed_;
   std::map<std::string, std::size_t> owner_of_sink_;

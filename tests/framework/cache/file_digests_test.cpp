@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "stope/error.hpp"
 #include "stope/testing/memory_context.hpp"
@@ -19,14 +20,23 @@ class FileDigestsTest : public ::testing::Test {
     fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name) << text;
   }
-  /// Sets a file's time so far back that it counts as settled.
-  void settle(const fs::path& name, int hours = 1) {
-    fs::last_write_time(folder_ / name,
-                        fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  /// Waits until what was written counts as settled. Longer than the system's clock for files takes
+  /// to go on.
+  static void settle() { std::this_thread::sleep_for(3 * kSettling); }
+  /// Whether a file's digest is known: who must read is stopped.
+  static bool is_known(FileDigests& digests, const fs::path& file) {
+    const std::atomic<bool> stop = true;
+    try {
+      digests.of(file, &stop);
+    } catch (const Cancelled&) {
+      return false;
+    }
+    return true;
   }
+  static constexpr auto kSettling = std::chrono::milliseconds(20);
   testing::MemoryContext context_;
   fs::path folder_ = context_.temporary_folder();
-  FileDigests digests_{folder_ / "table"};
+  FileDigests digests_{folder_ / "table", kSettling};
 };
 
 TEST_F(FileDigestsTest, AFileIsItsBytes) {
@@ -48,12 +58,14 @@ TEST_F(FileDigestsTest, AFolderIsItsNamesAndBytesWhereverItLies) {
 }
 
 TEST_F(FileDigestsTest, WhatIsNotThereIsNothing) {
-  EXPECT_EQ(digests_.of(folder_ / "none"), digests_.of(folder_ / "neither"));
+  EXPECT_EQ(digests_.of(folder_ / "none"), kNothingThere);
+  write("empty", "");
+  EXPECT_NE(digests_.of(folder_ / "empty"), kNothingThere);
 }
 
 TEST_F(FileDigestsTest, SeesAChangeOfTheSameSize) {
   write("a", "ore");
-  settle("a");
+  settle();
   const Digest before = digests_.of(folder_ / "a");
   write("a", "tin");
   EXPECT_NE(digests_.of(folder_ / "a"), before);
@@ -63,19 +75,60 @@ TEST_F(FileDigestsTest, SeesAChangeOfTheSameSize) {
 
 TEST_F(FileDigestsTest, DoesNotReadAgainWhatHasNotChanged) {
   write("a", "ore");
-  settle("a");
-  const auto time = fs::last_write_time(folder_ / "a");
+  settle();
   const Digest before = digests_.of(folder_ / "a");
   digests_.save();
-  // Same size and time, other bytes: only who reads the file could tell.
+  FileDigests next(folder_ / "table");
+  EXPECT_TRUE(is_known(next, folder_ / "a"));
+  EXPECT_EQ(next.of(folder_ / "a"), before);
+}
+
+TEST_F(FileDigestsTest, SeesAChangeWhoseTimeWasSetBack) {
+  // As tar does: the time of the archive, and, with luck, the inode of the file before.
+  write("a", "ore");
+  const auto time = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  fs::last_write_time(folder_ / "a", time);
+  settle();
+  const Digest before = digests_.of(folder_ / "a");
+  EXPECT_TRUE(is_known(digests_, folder_ / "a"));
   std::fstream(folder_ / "a", std::ios::in | std::ios::out) << "tin";
   fs::last_write_time(folder_ / "a", time);
-  EXPECT_EQ(FileDigests(folder_ / "table").of(folder_ / "a"), before);
+  EXPECT_NE(digests_.of(folder_ / "a"), before);
+}
+
+TEST_F(FileDigestsTest, DoesNotTrustWhatHasJustChangedHoweverOldItSaysItIs) {
+  write("a", "ore");
+  fs::last_write_time(folder_ / "a", fs::file_time_type::clock::now() - std::chrono::hours(1));
+  FileDigests digests(folder_ / "table");
+  digests.of(folder_ / "a");
+  EXPECT_FALSE(is_known(digests, folder_ / "a"));
+}
+
+TEST_F(FileDigestsTest, TellsWhatHasChangedSinceItWasDigested) {
+  write("a", "ore");
+  write("x/1.pcd", "first");
+  settle();
+  digests_.of(folder_ / "a");
+  digests_.of(folder_ / "x");
+  digests_.of(folder_ / "none");
+  EXPECT_TRUE(digests_.is_as_seen(folder_ / "a"));
+  EXPECT_TRUE(digests_.is_as_seen(folder_ / "x"));
+  EXPECT_TRUE(digests_.is_as_seen(folder_ / "none"));
+  write("a", "tin");
+  write("a", "ore");
+  EXPECT_FALSE(digests_.is_as_seen(folder_ / "a")) << "swapped and put back";
+  digests_.of(folder_ / "a");
+  EXPECT_FALSE(digests_.is_as_seen(folder_ / "a")) << "a later look must not excuse it";
+  write("x/2.pcd", "second");
+  EXPECT_FALSE(digests_.is_as_seen(folder_ / "x"));
+  write("none", "some");
+  EXPECT_FALSE(digests_.is_as_seen(folder_ / "none"));
+  EXPECT_FALSE(digests_.is_as_seen(folder_ / "never asked about"));
 }
 
 TEST_F(FileDigestsTest, ADamagedTableIsAnEmptyOne) {
   write("a", "ore");
-  settle("a");
+  settle();
   const Digest right = digests_.of(folder_ / "a");
   digests_.save();
   const auto size = fs::file_size(folder_ / "table");

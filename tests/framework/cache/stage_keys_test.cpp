@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "framework/cache/file_digests.hpp"
 #include "stope/stope.hpp"
 
 namespace stope {
@@ -176,6 +177,23 @@ TEST_F(StageKeysTest, AFileThatAStageAlsoReadsCounts) {
             (std::vector<std::string>{"further file 1 was legend, content " +
                                       digest_of(std::string("red: road")).text() +
                                       ", is legend, content " + digest_of(legend).text()}));
+}
+
+TEST_F(StageKeysTest, AFileThatIsNotThereIsSaidNotToBe) {
+  const StageKey before = keys()[kScans];
+  facts_.digest_of_path = [](const std::filesystem::path&) { return kNothingThere; };
+  EXPECT_EQ(differences(before, keys()[kScans]),
+            (std::vector<std::string>{"parameter value was content " + digest_of(content_).text() +
+                                      ", is nothing there"}));
+}
+
+TEST_F(StageKeysTest, TellsTheFilesItWasMadeOf) {
+  plan_.stages[kLog].info.also_reads = true;
+  plan_.stages[kLog].parameters[0] = std::string("/maps");
+  using Paths = std::vector<std::filesystem::path>;
+  EXPECT_EQ(keys()[kScans].files, (Paths{"/data/mine"}));
+  EXPECT_EQ(keys()[kGrid].files, Paths{});
+  EXPECT_EQ(keys()[kLog].files, (Paths{"/maps/legend", "/maps/sheet"}));
 }
 
 TEST_F(StageKeysTest, WhatCannotBeReadIsKeyedByTheRun) {

@@ -1,6 +1,8 @@
 #include "framework/compare/run_comparison.hpp"
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "framework/compare/comparison_json.hpp"
 #include "framework/compare/metric_check.hpp"
@@ -109,6 +111,26 @@ TEST_F(RunComparison, GoneOnWithItComputesNothingTwice) {
   compare(std::string("arms: {one: , two: {change.factor: 2}, new: {change.factor: 3}}\n") + kMean);
   EXPECT_EQ(ran_, (Ran{{"scale", 1}, {"mean", 1}, {"text", 1}})) << "only the new arm";
   EXPECT_EQ(output("two"), before);
+}
+
+TEST_F(RunComparison, ACellWhoseInputWasSwappedMeanwhileIsComputedAgain) {
+  write("numbers.txt", "1 2 3");
+  // Times of files go on in steps.
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  const std::string experiment =
+      std::string(kTwoArms) + "recordings: {mine: {draw.file: numbers.txt}}\n" + kMean;
+  toy::before_drawing = [&] { write("numbers.txt", "7 7 7"); };
+  toy::after_drawing = [&] { write("numbers.txt", "1 2 3"); };
+  const Comparison swapped = compare(experiment);
+  toy::before_drawing = toy::after_drawing = {};
+  EXPECT_DOUBLE_EQ(swapped.cell(0, 0, 0).measures.at(0), 7);
+  EXPECT_NE(log_.text.find("numbers.txt was changed, replaced or touched"), std::string::npos)
+      << log_.text;
+  const Comparison right = compare(experiment);
+  EXPECT_EQ(ran_.at("draw"), 1);
+  EXPECT_DOUBLE_EQ(right.cell(0, 0, 0).measures.at(0), 2);
+  compare(experiment);
+  EXPECT_EQ(ran_, Ran{});
 }
 
 TEST_F(RunComparison, AnOutputThatHasGoneComesBackFromTheStore) {

@@ -42,6 +42,9 @@ struct Numbers {
   static constexpr void fields(auto& s, auto&& visit) { visit("values", s.values); }
 };
 
+/// What somebody else does to the files meanwhile.
+inline std::function<void()> before_drawing, after_drawing;
+
 /// Draws numbers in [0, 1) from the run's seed, or reads them from a file.
 class Draw final : public Stage {
  public:
@@ -60,8 +63,10 @@ class Draw final : public Stage {
     executions.add("draw");
     Numbers drawn;
     if (params.file) {
+      if (before_drawing) before_drawing();
       std::ifstream in(*params.file);
       for (double value = 0; in >> value;) drawn.values.push_back(value);
+      if (after_drawing) after_drawing();
     } else {
       Random random(context.seed());
       for (std::int64_t i = 0; i < params.count; ++i) drawn.values.push_back(random.uniform());
