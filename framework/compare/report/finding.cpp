@@ -97,9 +97,9 @@ std::string opening(const Group& group, const std::string& arm, const std::strin
     case Verdict::kSame:
       return fmt::format("{} and {} are the same in {} on {}", arm, baseline, names, recordings);
     case Verdict::kTooFew:
-      return fmt::format(
-          "{} recordings are needed to say anything of {} and {} in {}: there are {}",
-          kLeastRecordings, arm, baseline, names, recordings);
+      return fmt::format("{} recordings are needed to say anything of {} and {} in {}: there {} {}",
+                         kLeastRecordings, arm, baseline, names,
+                         recordings == "1 recording" ? "is" : "are", recordings);
     case Verdict::kNoFigure:
       return fmt::format("There is no usable figure of {} beside {} in {} on any of {}", arm,
                          baseline, names, recordings);

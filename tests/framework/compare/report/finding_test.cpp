@@ -77,6 +77,11 @@ TEST(Finding, SaysOfTooFewAndOfIdenticalWhatTheyAre) {
   EXPECT_EQ(Said({few}, 4).text(),
             "6 recordings are needed to say anything of voronoi and watershed in a: there are 4 "
             "recordings.");
+  ComparedMeasure single = measure("a", Verdict::kTooFew, {}, 0.1, {0, 1}, 1);
+  single.tests = 0;
+  EXPECT_EQ(Said({single}).text(),
+            "6 recordings are needed to say anything of voronoi and watershed in a: there is 1 "
+            "recording.");
   EXPECT_EQ(Said({measure("a", Verdict::kIdentical, {}, 0, {0, 0})}).text(),
             "voronoi and watershed left the same bytes wherever both were run: there is nothing to "
             "compare.");
