@@ -1,12 +1,36 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "plugins/export/text_bytes.hpp"
 #include "stope/stope.hpp"
 
 namespace stope::exports {
+namespace {
+
+bool backwards(const PathPoint& a, const PathPoint& b) {
+  const double yaw = a.yaw + std::remainder(b.yaw - a.yaw, 2 * std::numbers::pi) / 2;
+  return (b.x - a.x) * std::cos(yaw) + (b.y - a.y) * std::sin(yaw) < 0;
+}
+
+/// Where the truck drives backwards before and forwards behind, or the other way round. A path
+/// without speeds is a line and no drive: it has none.
+std::vector<std::size_t> cusps_of(const std::vector<PathPoint>& points) {
+  std::vector<std::size_t> cusps;
+  const auto stands = [](const PathPoint& point) { return point.speed == 0; };
+  if (std::all_of(points.begin(), points.end(), stands)) return cusps;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    if (backwards(points[i - 1], points[i]) != backwards(points[i], points[i + 1]))
+      cusps.push_back(i);
+  return cusps;
+}
+
+}  // namespace
 
 class PathGeojson final : public Map<Artefact(Path)> {
  public:
@@ -18,7 +42,9 @@ class PathGeojson final : public Map<Artefact(Path)> {
     about.summary("Writes a path as a GeoJSON line, in metres of the map's frame.")
         .notes(
             "Properties hold the length, the ids of the roads followed, and for every point its "
-            "heading (yaw), clearance and curvature; null where not known.")
+            "heading (yaw), clearance, curvature and speed (negative backwards, 0 where the truck "
+            "stands, all 0 if none is planned); null where not known. cusps are the places in "
+            "these lists, from 0, where the direction of driving changes.")
         .ports("path", "artefact")
         .writes({"geojson"})
         .param("frame", &Params::frame, "The frame the coordinates are in.");
@@ -43,12 +69,15 @@ class PathGeojson final : public Map<Artefact(Path)> {
     const std::string text = fmt::format(
         "{{\n\"type\": \"FeatureCollection\",\n\"name\": \"path\",\n\"features\": [\n"
         "{{\"type\": \"Feature\", \"properties\": {{\n\"frame\": {},\n\"length\": {},\n\"edges\": "
-        "[{}],\n\"yaw\": {},\n\"clearance\": {},\n\"curvature\": {}}},\n\"geometry\": "
+        "[{}],\n\"yaw\": {},\n\"clearance\": {},\n\"curvature\": {},\n\"speed\": {},\n\"cusps\": "
+        "[{}]}},\n\"geometry\": "
         "{{\"type\": \"LineString\", \"coordinates\": {}}}}}\n]\n}}\n",
         json_text(params.frame), json_number(path.length), edges,
         list([](const PathPoint& point) { return json_number(point.yaw); }),
         list([](const PathPoint& point) { return json_number(point.clearance); }),
-        list([](const PathPoint& point) { return json_number(point.curvature); }), coordinates);
+        list([](const PathPoint& point) { return json_number(point.curvature); }),
+        list([](const PathPoint& point) { return json_number(point.speed); }),
+        fmt::join(cusps_of(path.points), ", "), coordinates);
     return {{{"geojson", bytes_of(text)}}};
   }
 };

@@ -33,6 +33,25 @@ TEST(PathGeojson, ReadsBackToTheLastBit) {
   EXPECT_TRUE(feature["properties"]["clearance"][1].is_null());
 }
 
+TEST(PathGeojson, SaysSpeedsAndWhereTheDirectionChanges) {
+  // Forwards to (2, 0), back to (1, 0) and forwards to (3, 0), always looking east.
+  Path path;
+  const double places[] = {0, 1, 2, 1, 3}, speeds[] = {0, 1.5, 0, 0, 0};
+  for (std::size_t i = 0; i < 5; ++i) path.points.push_back({places[i], 0, 0, 0, 0, 0, speeds[i]});
+  path.points.insert(path.points.begin() + 3, {1.5, 0, 0, 0, 0, 0, -1.25});
+  const auto properties = [&] {
+    stope::testing::StageHarness stage(stope_stage_PathGeojson());
+    const auto text = text_of(stage.input("path", path).apply<Artefact>(), "geojson");
+    return nlohmann::json::parse(text)["features"][0]["properties"];
+  };
+  EXPECT_EQ(properties()["speed"].get<std::vector<double>>(),
+            (std::vector<double>{0, 1.5, 0, -1.25, 0, 0}));
+  EXPECT_EQ(properties()["cusps"].get<std::vector<int>>(), (std::vector<int>{2, 4}));
+  // Without speeds it is a line that nobody drives.
+  for (PathPoint& point : path.points) point.speed = 0;
+  EXPECT_TRUE(properties()["cusps"].empty());
+}
+
 TEST(PathGeojson, RefusesAPathThatIsNoLine) {
   EXPECT_NE(stope::testing::error_of([] {
               stope::testing::StageHarness(stope_stage_PathGeojson())
