@@ -24,6 +24,7 @@ struct Arguments {
   bool no_cache = false;
   bool why = false;
   bool resume = false;
+  bool time_again = false;       ///< of compare
   std::filesystem::path record;  ///< of replay: a run.json or its folder
   bool json = false;
   bool quiet = false;

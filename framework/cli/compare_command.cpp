@@ -49,6 +49,7 @@ int compare_command(const Arguments& arguments) {
   options.threads = threads_of(arguments);
   options.memory = memory_of(arguments);
   options.cache = cache_use(arguments);
+  options.time_again = arguments.time_again;
   options.stop = &interrupt.flag();
   options.version = STOPE_VERSION;
   options.command = arguments.command_line;

@@ -100,6 +100,8 @@ void add_compare(CLI::App& command, stope::Arguments& arguments) {
   command.add_option("experiment", arguments.pipeline, "The experiment file")->required();
   add_work(command, arguments,
            "The comparison's folder (default: out/<name of the experiment file>)");
+  command.add_flag("--time-again", arguments.time_again,
+                   "Take timings anew that an earlier run of the comparison took");
 }
 
 int dispatch(int argc, char** argv) {

@@ -5,7 +5,9 @@
 namespace stope {
 
 double busy_seconds(const ProcessRecord& process) {
-  return static_cast<double>(process.run + process.io + process.work) * 1e-9;
+  // A map computes on workers; its own thread waits for them, and that is in `run`.
+  const std::int64_t computed = process.work > 0 ? process.work : process.run;
+  return static_cast<double>(computed + process.io) * 1e-9;
 }
 
 RunRecord record_of_arm(const MergedPlan& merged, std::size_t arm, const std::string& name,

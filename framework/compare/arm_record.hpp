@@ -13,7 +13,9 @@
 /// What the run of a merged graph was for one arm, in the names of the arm's own plan.
 namespace stope {
 
-/// What a process did without waiting for others, seconds: of a map summed over its items.
+/// What a process computed, read and wrote itself, in seconds by the clock: of a map summed over
+/// its items, without what its thread waits for workers. Where a stage computes in parallel this is
+/// how long that took, not a sum over threads.
 double busy_seconds(const ProcessRecord& process);
 
 /// The record, with the processes of the arm's stages and of the sinks named `arm: …` alone.

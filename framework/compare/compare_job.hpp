@@ -16,6 +16,7 @@ struct CompareOptions {
   int threads = 0;               ///< oneTBB workers
   std::size_t memory = 0;        ///< bytes for the whole process
   CacheUse cache;
+  bool time_again = false;  ///< take timings anew that were taken before
   const std::atomic<bool>* stop = nullptr;
   std::string version;               ///< of Stope
   std::vector<std::string> command;  ///< the command line, for the record

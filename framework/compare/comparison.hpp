@@ -120,6 +120,7 @@ struct Exclusion {
 struct TimedPair {
   std::size_t arm = 0, recording = 0, seed = 0;
   std::vector<double> baseline_seconds, arm_seconds;  ///< one of each a pair, in the order run
+  std::string key;  ///< of all that both arms do, and of the threads: equal keys, equal work
 };
 
 /// A comparison.

@@ -167,12 +167,17 @@ Json timing_json(const TimedPair& timed) {
           {"recording", timed.recording},
           {"seed", timed.seed},
           {"baseline_seconds", numbers(timed.baseline_seconds)},
-          {"arm_seconds", numbers(timed.arm_seconds)}};
+          {"arm_seconds", numbers(timed.arm_seconds)},
+          {"key", timed.key}};
 }
 
 TimedPair read_timing(const Json& json) {
-  return {json.at("arm"), json.at("recording"), json.at("seed"),
-          read_numbers(json.at("baseline_seconds")), read_numbers(json.at("arm_seconds"))};
+  return {json.at("arm"),
+          json.at("recording"),
+          json.at("seed"),
+          read_numbers(json.at("baseline_seconds")),
+          read_numbers(json.at("arm_seconds")),
+          json.value("key", "")};
 }
 
 Comparison read(const Json& json) {

@@ -71,6 +71,11 @@ bool EarlierCells::take_over_units(Comparison& comparison) const {
   return true;
 }
 
+const std::vector<TimedPair>& EarlierCells::timings() const {
+  static const std::vector<TimedPair> kNone;
+  return earlier_ ? earlier_->timings : kNone;
+}
+
 std::size_t EarlierCells::take_over(Comparison& comparison) const {
   if (!earlier_ || !take_over_units(comparison)) return 0;
   std::size_t kept = 0;

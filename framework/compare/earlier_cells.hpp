@@ -20,6 +20,8 @@ class EarlierCells {
   /// Takes over the cells that were done, have the same key now, and whose files are all there.
   /// Gives their number.
   std::size_t take_over(Comparison& comparison) const;
+  /// What was timed; places in it are those of the earlier lists.
+  const std::vector<TimedPair>& timings() const;
 
  private:
   /// False if what matters of a figure is said in a unit that it does not have.

@@ -38,6 +38,7 @@ class ComparisonRun {
         metrics_(job.experiment, job.plan) {
     remove_scratch();
     const EarlierCells earlier(job_);
+    timed_before_ = earlier.timings();
     comparison_.id = earlier.id();
     comparison_.started = now();
     name_keys();
@@ -58,7 +59,7 @@ class ComparisonRun {
     bool stopped = false;
     for (std::size_t group = 0; group < groups && !stopped; ++group)
       stopped = !run_next(group, groups);
-    if (!stopped) stopped = !time_arms(job_, comparison_);
+    if (!stopped) stopped = !time_arms(job_, timed_before_, comparison_, [this] { save(); });
     note_equal_arms(comparison_);
     note_equal_recordings(comparison_, sources_);
     comparison_.complete = !stopped;
@@ -154,6 +155,7 @@ class ComparisonRun {
   Comparison comparison_;
   MetricCheck metrics_;
   SourceKeys sources_;
+  std::vector<TimedPair> timed_before_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "framework/compare/arm_keys.hpp"
 #include "framework/compare/arm_record.hpp"
 #include "framework/compare/merge_plans.hpp"
+#include "stope/digest.hpp"
 #include "stope/error.hpp"
 #include "stope/payloads/measures.hpp"
 
@@ -106,30 +107,56 @@ class Timer {
   std::optional<KeptStages> kept_;
 };
 
-// None if there is nothing to time, or it was cancelled.
-std::optional<TimedPair> time_pair(const CompareJob& job, const Comparison& comparison,
-                                   const ComparedCell& cell) {
-  const std::uint64_t seed = job.experiment.seed_of(cell.recording, cell.seed);
+std::string key_of(const Contender (&both)[2], int threads) {
+  Digester digester;
+  for (const Contender& contender : both)
+    for (const StageKey& key : contender.keys) encode(key.digest.text(), digester);
+  encode(static_cast<std::uint64_t>(threads), digester);
+  return digester.digest().text();
+}
+
+const TimedPair* find(const std::vector<TimedPair>& earlier, const TimedPair& wanted, int pairs) {
+  const auto found = std::find_if(earlier.begin(), earlier.end(), [&](const TimedPair& timed) {
+    return timed.key == wanted.key && timed.arm_seconds.size() >= static_cast<std::size_t>(pairs) &&
+           timed.baseline_seconds.size() == timed.arm_seconds.size();
+  });
+  return found == earlier.end() ? nullptr : &*found;
+}
+
+struct Taken {
+  std::optional<TimedPair> timed;  // none if there is nothing to time, or it was cancelled
+  bool now = false;
+};
+
+Taken time_pair(const CompareJob& job, const std::vector<TimedPair>& earlier,
+                const Comparison& comparison, const ComparedCell& cell) {
+  const std::uint64_t seed = cell.run_seed;
   Contender both[2];
   for (const std::size_t i : {0U, 1U}) {
     both[i].plan = &*job.plan.of(i == 0 ? comparison.baseline : cell.arm, cell.recording).plan;
     both[i].keys = arm_keys(job, *both[i].plan, seed, comparison.id);
   }
+  TimedPair timed{cell.arm, cell.recording, cell.seed, {}, {}, key_of(both, job.options.threads)};
+  if (!job.options.time_again)
+    if (const TimedPair* known = find(earlier, timed, job.experiment.timing_pairs)) {
+      timed.baseline_seconds = known->baseline_seconds;
+      timed.arm_seconds = known->arm_seconds;
+      return {timed, false};
+    }
   const MergedPlan merged = merge_plans(
       {{"baseline", both[0].plan, &both[0].keys}, {"arm", both[1].plan, &both[1].keys}});
   for (const std::size_t i : {0U, 1U}) choose_stages(both[i], merged, i);
-  if (both[0].timed.empty() && both[1].timed.empty()) return std::nullopt;
+  if (both[0].timed.empty() && both[1].timed.empty()) return {};
   Timer timer(job, seed);
-  TimedPair timed{cell.arm, cell.recording, cell.seed, {}, {}};
   for (int pair = -1; pair < job.experiment.timing_pairs; ++pair) {
     for (const std::size_t turn : {0U, 1U}) {
       const std::size_t i = pair % 2 == 0 ? turn : 1 - turn;
       const auto seconds = timer.run(both[i]);
-      if (!seconds) return std::nullopt;
+      if (!seconds) return {};
       if (pair >= 0) (i == 0 ? timed.baseline_seconds : timed.arm_seconds).push_back(*seconds);
     }
   }
-  return timed;
+  return {timed, true};
 }
 
 TimingSummary::Of of_sorted(std::vector<double> values) {
@@ -143,7 +170,8 @@ TimingSummary::Of of_sorted(std::vector<double> values) {
 
 }  // namespace
 
-bool time_arms(const CompareJob& job, Comparison& comparison) {
+bool time_arms(const CompareJob& job, const std::vector<TimedPair>& earlier, Comparison& comparison,
+               const std::function<void()>& taken) {
   comparison.timings.clear();
   if (job.experiment.timing_pairs == 0) return true;
   for (const ComparedCell& cell : comparison.cells) {
@@ -152,8 +180,9 @@ bool time_arms(const CompareJob& job, Comparison& comparison) {
         baseline.status != CellStatus::kDone)
       continue;
     try {
-      if (auto timed = time_pair(job, comparison, cell))
-        comparison.timings.push_back(*std::move(timed));
+      Taken pair = time_pair(job, earlier, comparison, cell);
+      if (pair.timed) comparison.timings.push_back(*std::move(pair.timed));
+      if (pair.timed && pair.now) taken();
     } catch (const Cancelled&) {
     }
     if (job.stopping()) return false;

@@ -115,7 +115,8 @@ class ExperimentReader {
     if (experiment_.arms.size() == 1 && right_so_far && !diagnostics_.has_errors())
       diagnostics_.error(code::kTooFewArms, node->place,
                          "There is one arm, and nothing to compare it with.",
-                         "Add an arm; one without changes is the pipeline as it is: 'base:'.");
+                         "Add an arm. One with nothing after the colon, such as 'plain:', is the "
+                         "pipeline as it is.");
     const LocatedNode* baseline = text("baseline");
     if (!baseline) return;
     std::vector<std::string> names;

@@ -167,8 +167,10 @@ std::string stage_times_html(const Comparison& comparison) {
     html += fmt::format("<td class=\"time\"><b>{}</b></td>", seconds_text(sum));
   return html +
          "</tr></tfoot></table></div>\n<p class=\"soft\">Medians over recordings and seeds, with "
-         "least and most; work summed over a map's items. Stages run side by side on one machine: "
-         "these figures say where time goes, not which arm is faster.</p>\n" +
+         "least and most: what a stage computed, read and wrote, of a map summed over its items, "
+         "without what it waited for others or for a free worker. Stages run side by side on one "
+         "machine and slow each other: these figures say where time goes, not which arm is "
+         "faster.</p>\n" +
          pairs_html(comparison) + "</section>\n";
 }
 

@@ -174,7 +174,8 @@ class GraphDrawing {
     const double life = static_cast<double>(
         std::max<std::int64_t>({process.end - process.begin,
                                 std::accumulate(times.begin(), times.end(), std::int64_t{0}), 1}));
-    const std::int64_t busy = std::max(process.run, process.work) + process.io;
+    // A map computes on workers; its own thread waits for them, and that is in `run`.
+    const std::int64_t busy = (process.work > 0 ? process.work : process.run) + process.io;
     const std::uint64_t items = std::max(process.items_read, process.items_written);
     std::string text = fmt::format(
         "<text class=\"time\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>"

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "framework/compare/statistics/sign_flip.hpp"
+#include "framework/compare/verdicts.hpp"
 #include "noisy_pairs.hpp"
 
 namespace stope::testing {
@@ -57,6 +58,57 @@ void false_alarms(int trials) {
   }
   fmt::print("\nmost {}; all {} of {}: {:.2f} %\n", worst, all, cells * trials,
              100.0 * all / (cells * trials));
+}
+
+/// A baseline and `arms` others that are equal to it, then a twin of each of these; by one measure
+/// that takes `values` values, so that arms also coincide by luck. Their files tell no more than
+/// the measure does, which is the hard case: two that coincide everywhere are taken for twins.
+Comparison drawn_twins(int arms, int recordings, std::uint64_t values, bool files_tell,
+                       Random& random) {
+  Comparison made;
+  made.seeds = {0};
+  made.metrics = {{"m", "m", "m", Direction::kHigher, 1, ""}};
+  for (int i = 0; i < recordings; ++i) made.recordings.push_back({std::to_string(i), {}, {}});
+  for (int i = 0; i <= 2 * arms; ++i) made.arms.push_back({std::to_string(i), {}, {}, {}});
+  made.cells = empty_cells(made);
+  for (ComparedCell& cell : made.cells) {
+    const auto own = static_cast<std::size_t>(arms);
+    cell.status = CellStatus::kDone;
+    cell.measures = cell.arm <= own ? std::vector{static_cast<double>(random.below(values))}
+                                    : made.cell(cell.arm - own, cell.recording, 0).measures;
+    const std::string file = files_tell ? fmt::format("{} {}", cell.arm, cell.recording) : "same";
+    cell.artefacts = {{"f", "f", file, 1, CellArtefact::Kind::kGeojson, false}};
+  }
+  return made;
+}
+
+/// Equal arms some of which are twins: that these are counted once must not raise the alarms.
+void twins(int trials) {
+  fmt::print(
+      "\nThree equal arms and a twin of each: comparisons of {} with a false alarm, all six "
+      "counted "
+      "and twins counted once (asked: at most 5 %)\n{:<17}",
+      10 * trials, "");
+  for (const int size : kSizes) fmt::print("{:>18}", fmt::format("{} recordings", size));
+  for (const std::uint64_t values : {2U, 3U, 5U, 1000U}) {
+    fmt::print("\n{:<17}", fmt::format("{} values", values));
+    for (const int size : kSizes) {
+      int alarms[2] = {};
+      for (const bool files_tell : {true, false})
+        for (int trial = 0; trial < 10 * trials; ++trial) {
+          Random random(mix_seed(3, static_cast<std::uint64_t>(trial)));
+          const auto verdicts = verdicts_of(drawn_twins(3, size, values, files_tell, random));
+          const bool any = std::any_of(verdicts.begin(), verdicts.end(), [](const auto& arm) {
+            return different(arm.measures.front());
+          });
+          alarms[files_tell ? 0 : 1] += any ? 1 : 0;
+        }
+      fmt::print("{:>18}", fmt::format("{:.2f} {:>6.2f} %", 10.0 * alarms[0] / trials,
+                                       10.0 * alarms[1] / trials));
+      std::fflush(stdout);
+    }
+  }
+  fmt::print("\n");
 }
 
 /// How often a single measure's interval misses the truth, the two ways of making one side by side,
@@ -160,6 +212,7 @@ void found(int trials) {
 int main(int count, char** arguments) {
   const int trials = count > 1 ? std::atoi(arguments[1]) : 200;
   stope::testing::false_alarms(trials);
+  stope::testing::twins(trials);
   stope::testing::missed(10 * trials);
   stope::testing::at_delta(5 * trials);
   stope::testing::found(trials);

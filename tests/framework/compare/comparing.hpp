@@ -31,6 +31,7 @@ class ComparingTest : public FilesTest {
     options.memory = std::size_t{1} << 30;
     options.cache.store = folder() / store_;
     options.stop = stop;
+    options.time_again = time_again_;
     toy::executions.take();
     Comparison comparison = run_comparison({*experiment, *plan, catalogue_, options, log_});
     ran_ = toy::executions.take();
@@ -45,6 +46,7 @@ class ComparingTest : public FilesTest {
   std::string store_ = "store";
   toy::ArmsCatalogue catalogue_;
   Log log_;
+  bool time_again_ = false;
   std::map<std::string, int> ran_;  ///< how often stages ran in the last comparison
 };
 

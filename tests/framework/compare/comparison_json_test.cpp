@@ -36,7 +36,7 @@ Comparison sample() {
   failed.sentence = "it broke \xff";
   failed.failed_stage = "roads";
   made.exclusions = {{"new", "pit", 5, "apls", "it is nan"}};
-  made.timings = {{0, 0, 1, {1.5, 2}, {0.1, 1e-9}}};
+  made.timings = {{0, 0, 1, {1.5, 2}, {0.1, 1e-9}, "cafe"}};
   made.warnings = {"a warning"};
   return made;
 }

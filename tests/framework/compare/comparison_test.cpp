@@ -62,7 +62,7 @@ TEST(MeasuredPairs, LeaveOutRecordingsWithoutAFiniteFigureOnBothArms) {
   EXPECT_EQ(measured[0].pairs[0].recording, "b");
 }
 
-TEST(EqualRecordings, AreFoundByTheirSourcesOrByAllThatTheyLeft) {
+TEST(NoteEqualRecordings, AreFoundByTheirSourcesOrByAllThatTheyLeft) {
   Comparison made = table({"a", "b", "c", "d"}, {0});
   note_equal_recordings(made, {"1", "2", "1", "2", "3", "4", "5", ""});
   EXPECT_EQ(made.recordings[1].same_as, "a");
@@ -81,7 +81,7 @@ TEST(EqualRecordings, AreFoundByTheirSourcesOrByAllThatTheyLeft) {
   EXPECT_EQ(made.warnings.size(), 2U) << "said once";
 }
 
-TEST(EqualRecordings, AreNotThoseOfWhichOnlyMeasuresAreKeptOrOneFailed) {
+TEST(NoteEqualRecordings, AreNotThoseOfWhichOnlyMeasuresAreKeptOrOneFailed) {
   Comparison made = table({"a", "b"}, {0});
   for (ComparedCell& cell : made.cells) {
     finish(cell, 0.5, "f00d");

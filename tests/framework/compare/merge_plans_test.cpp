@@ -1,5 +1,6 @@
 #include "framework/compare/merge_plans.hpp"
 
+#include "framework/compare/arm_record.hpp"
 #include "framework/compare/experiment/experiment_plan.hpp"
 #include "tests/framework/compare/files_of_test.hpp"
 #include "tests/framework/compare/toy_arms.hpp"
@@ -74,6 +75,18 @@ TEST_F(MergePlansTest, WithoutAnArmTheOthersKeepTheirStagesAndNames) {
             (Names{"draw", "change (two)", "mean (two)", "outputs/changed.txt (two)"}));
   EXPECT_EQ(rest.plan.stages[1].inputs[0], (PlannedSource{0, 0}));
   EXPECT_EQ(rest.source(1, planned_->all[1].metrics[0]), (PlannedSource{2, 0}));
+}
+
+TEST(BusySeconds, OfAMapAreItsItemsAndNotItsWaitForWorkers) {
+  ProcessRecord map;
+  map.run = 5'000'000'000;  // its thread watched for so long
+  map.work = 3'000'000'000;
+  map.io = 250'000'000;
+  map.wait_in = 9'000'000'000;
+  EXPECT_DOUBLE_EQ(busy_seconds(map), 3.25);
+  ProcessRecord stage = map;
+  stage.work = 0;
+  EXPECT_DOUBLE_EQ(busy_seconds(stage), 5.25);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "framework/compare/comparison_json.hpp"
 #include "framework/compare/metric_check.hpp"
-#include "framework/compare/verdicts.hpp"
 #include "framework/pipeline/check.hpp"
 #include "framework/report/run_report.hpp"
 #include "stope/error.hpp"
@@ -245,43 +244,6 @@ TEST_F(RunComparison, AStoreThatCannotBeUsedIsWarnedOfOnceAndCostsNoResult) {
   EXPECT_EQ(measured_pairs(made, 1)[0].pairs.size(), 2U);
 }
 
-TEST_F(RunComparison, OneRecordingUnderSevenNamesCountsOnce) {
-  const Comparison made = compare(std::string(kTwoArms) +
-                                  "recordings: {a: {seed: 1}, b: {seed: 1}, c: {seed: 1}, d: "
-                                  "{seed: 1}, e: {seed: 1}, f: {seed: 1}, g: {seed: 1}}\n" +
-                                  kMean);
-  EXPECT_EQ(distinct_recordings(made).size(), 1U);
-  EXPECT_EQ(made.recordings[0].same_as, "");
-  EXPECT_EQ(made.recordings[6].same_as, "a");
-  ASSERT_EQ(made.warnings.size(), 1U);
-  EXPECT_EQ(made.warnings[0],
-            "the recordings 'a', 'b', 'c', 'd', 'e', 'f' and 'g' are one and the same: what their "
-            "sources read or make does not differ. They count as one recording");
-  EXPECT_NE(log_.text.find(made.warnings[0]), std::string::npos) << "before anything runs";
-  EXPECT_EQ(verdicts_of(made)[0].measures[0].verdict, Verdict::kTooFew);
-}
-
-TEST_F(RunComparison, SeedsThatNobodyReadsMakeNoRecordings) {
-  write("map.txt", "1 2 4");
-  const std::string rest = std::string(kTwoArms) +
-                           "set: {draw.file: map.txt}\n"
-                           "recordings: {cross: {seed: [1, 2, 3, 4, 5, 6, 7, 8]}}\n" +
-                           kMean;
-  const Comparison made = compare(rest);
-  EXPECT_EQ(distinct_recordings(made).size(), 1U);
-  ASSERT_EQ(made.warnings.size(), 1U);
-  EXPECT_NE(made.warnings[0].find("left the very same files and figures"), std::string::npos);
-  EXPECT_EQ(verdicts_of(made)[0].measures[0].verdict, Verdict::kTooFew);
-  EXPECT_EQ(compare(rest).warnings, made.warnings) << "nothing is said twice";
-}
-
-TEST_F(RunComparison, RecordingsThatDifferAreNotTakenForOne) {
-  const Comparison made = compare(std::string(kTwoArms) +
-                                  "recordings: {cross: {seed: [1, 2, 3, 4, 5, 6, 7]}}\n" + kMean);
-  EXPECT_EQ(distinct_recordings(made).size(), 7U);
-  EXPECT_TRUE(made.warnings.empty());
-}
-
 TEST_F(RunComparison, ASeedThatARecordingSetsIsTheOneThatIsTold) {
   const Comparison made =
       compare("arms: {one: , broken: {change.fails: true}}\nrecordings: {cross: {seed: [3, 4]}}\n" +
@@ -339,6 +301,30 @@ TEST_F(RunComparison, TimingsAreOfTheStagesThatDiffer) {
   EXPECT_EQ(made.timings[0].baseline_seconds.size(), 3U);
   EXPECT_EQ(ran_, (Ran{{"draw", 1}, {"scale", 2 + 2 * 4}, {"mean", 2}, {"text", 2}}))
       << "one of each to begin with, three pairs";
+}
+
+TEST_F(RunComparison, TimingsAreKeptUntilSomebodyAsksForThemAnew) {
+  const std::string two = "arms: {one: , two: {change.factor: 2}}\ntiming: {pairs: 3}\n";
+  const std::vector<TimedPair> first = compare(two + kMean).timings;
+  const std::vector<TimedPair> again = compare(two + kMean).timings;
+  EXPECT_EQ(ran_, Ran{});
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again[0].arm_seconds, first[0].arm_seconds);
+  EXPECT_EQ(again[0].baseline_seconds, first[0].baseline_seconds);
+  // Another arm before it, of which nothing is known.
+  const std::vector<TimedPair> more =
+      compare(
+          "arms: {one: , more: {change.factor: 3}, two: {change.factor: 2}}\ntiming: {pairs: "
+          "3}\n" +
+          std::string(kMean))
+          .timings;
+  EXPECT_EQ(ran_, (Ran{{"scale", 1 + 2 * 4}, {"mean", 1}, {"text", 1}}));
+  ASSERT_EQ(more.size(), 2U);
+  EXPECT_EQ(more[1].arm, 2U);
+  EXPECT_EQ(more[1].arm_seconds, first[0].arm_seconds);
+  time_again_ = true;
+  EXPECT_EQ(compare(two + kMean).timings[0].arm_seconds.size(), 3U);
+  EXPECT_EQ(ran_, (Ran{{"scale", 2 * 4}}));
 }
 
 TEST_F(RunComparison, AFolderOfAnotherComparisonIsLeftAlone) {

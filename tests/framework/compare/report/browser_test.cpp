@@ -25,7 +25,7 @@ struct Opened {
 
   Opened() {
     Comparison comparison = made::comparison_in(report.path, {3, 8, 2, 0.3, "extractors", true});
-    comparison.timings = {{1, 0, 0, {1, 2, 4}, {0.5, 1, 1}}};
+    comparison.timings = {{1, 0, 0, {1, 2, 4}, {0.5, 1, 1}, {}}};
     comparison.cell(2, 7, 1).status = CellStatus::kFailed;
     comparison.cell(2, 7, 1).sentence = "roads: the grid has no free cell";
     comparison.cell(2, 7, 1).artefacts.clear();

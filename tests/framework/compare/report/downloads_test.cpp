@@ -41,7 +41,7 @@ TEST(Downloads, MeasuresAreALineACellAndMetricEmptyWhereThereIsNone) {
 TEST(Downloads, NameTheSeedThatTheRunHad) {
   Comparison comparison = made::comparison_in("", {2, 1, 1, 0.3, "n", false});
   for (ComparedCell& cell : comparison.cells) cell.run_seed = 7;
-  comparison.timings = {{1, 0, 0, {1.5}, {0.5}}};
+  comparison.timings = {{1, 0, 0, {1.5}, {0.5}, {}}};
   EXPECT_EQ(lines_of(measures_csv(comparison))[1].rfind("pit-0,7,watershed,done,", 0), 0U);
   EXPECT_EQ(lines_of(timings_csv(comparison))[1], "pit-0,7,voronoi,0,1.5,0.5\r");
   const auto json = nlohmann::json::parse(verdicts_json(comparison, verdicts_of(comparison)));
@@ -76,7 +76,7 @@ TEST(Downloads, StageTimesSayWhatBecameOfEach) {
 TEST(Downloads, TimingsAreALineAPairAndOnlyWhereSomeWereTaken) {
   Comparison comparison = made::comparison_in("", {2, 1, 1, 0.3, "n", false});
   EXPECT_EQ(downloads_of(comparison, verdicts_of(comparison)).size(), 4U);
-  comparison.timings = {{1, 0, 0, {1.5, 2}, {0.5, 1}}};
+  comparison.timings = {{1, 0, 0, {1.5, 2}, {0.5, 1}, {}}};
   EXPECT_EQ(timings_csv(comparison),
             "recording,seed,arm,pair,baseline_seconds,arm_seconds\r\n"
             "pit-0,0,voronoi,0,1.5,0.5\r\npit-0,0,voronoi,1,2,1\r\n");

@@ -50,7 +50,7 @@ TEST(ComparisonPage, IsWellFormedWhateverNamesSay) {
   comparison.cells[3].status = CellStatus::kFailed;
   comparison.cells[3].sentence = comparison.cells[4].artefacts[0].output = kNasty;
   comparison.cells[5].stages[1].name = comparison.cells[5].stages[1].use = kNasty;
-  comparison.timings = {{1, 0, 0, {1, 2}, {2, 3}}};
+  comparison.timings = {{1, 0, 0, {1, 2}, {2, 3}, {}}};
   const std::string page = comparison_page(comparison);
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
   std::istringstream stream(markup_of(page));

@@ -40,7 +40,7 @@ TEST(StageTimes, PutWhatOnlyOneArmHasWhereItStandsThere) {
 
 TEST(StageTimes, TimingsTakenInTurnsShowTheRatioOfPairs) {
   Comparison comparison = made::comparison_in("", {2, 1, 1, 0.3, "times", false});
-  comparison.timings = {{1, 0, 0, {1.0, 2.0, 4.0}, {0.5, 1.0, 1.0}}};
+  comparison.timings = {{1, 0, 0, {1.0, 2.0, 4.0}, {0.5, 1.0, 1.0}, {}}};
   const std::string html = stage_times_html(comparison);
   EXPECT_NE(html.find("Taken in turns"), std::string::npos);
   EXPECT_NE(html.find("0.50 <small>0.25 – 0.50</small>"), std::string::npos);
