@@ -99,7 +99,7 @@ std::string opening(const Group& group, const std::string& arm, const std::strin
     case Verdict::kTooFew:
       return fmt::format("{} recordings are needed to say anything of {} and {} in {}: there {} {}",
                          kLeastRecordings, arm, baseline, names,
-                         recordings == "1 recording" ? "is" : "are", recordings);
+                         recordings.starts_with("1 ") ? "is" : "are", recordings);
     case Verdict::kNoFigure:
       return fmt::format("There is no usable figure of {} beside {} in {} on any of {}", arm,
                          baseline, names, recordings);

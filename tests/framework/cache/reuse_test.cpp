@@ -36,7 +36,9 @@ class ReuseTest : public ::testing::Test {
     ran.fates = reuse.fates;
     const Plan plan = with_reuse(bench.plan, reuse);
     const ReusingCatalogue catalogue(bench.plan, reuse, bench.catalogue, store_);
-    Keeper keeper(bench.plan, keys, reuse, wanted, keep, kept_, store_);
+    const FileDigests digests{{}};
+    const InputCheck inputs(bench.plan, keys, reuse.fates, digests);
+    Keeper keeper(bench.plan, keys, reuse, wanted, keep, inputs, kept_, store_);
     std::vector<Sink> sinks = keeper.sinks();
     sinks.push_back({"result",
                      wanted[0],
@@ -118,7 +120,9 @@ TEST_F(ReuseTest, AStageThatDidNotEndIsNotKept) {
   const std::vector<PlannedSource> wanted{bench.source("sum.sum")};
   const std::vector<StageKey> keys = stage_keys(bench.plan, bench.catalogue, {});
   const Reuse reuse = decide(bench.plan, keys, wanted, kept_, store_);
-  Keeper keeper(bench.plan, keys, reuse, wanted, Keep::kAll, kept_, store_);
+  const FileDigests digests{{}};
+  const InputCheck inputs(bench.plan, keys, reuse.fates, digests);
+  Keeper keeper(bench.plan, keys, reuse, wanted, Keep::kAll, inputs, kept_, store_);
   EXPECT_EQ(run_plan(bench.plan, bench.catalogue, keeper.sinks(), bench.options, bench.log).end,
             RunRecord::End::kFailed);
   EXPECT_FALSE(kept_.find(keys[0].digest));

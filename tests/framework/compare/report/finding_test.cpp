@@ -79,7 +79,7 @@ TEST(Finding, SaysOfTooFewAndOfIdenticalWhatTheyAre) {
             "recordings.");
   ComparedMeasure single = measure("a", Verdict::kTooFew, {}, 0.1, {0, 1}, 1);
   single.tests = 0;
-  EXPECT_EQ(Said({single}).text(),
+  EXPECT_EQ(Said({single}, 1).text(),
             "6 recordings are needed to say anything of voronoi and watershed in a: there is 1 "
             "recording.");
   EXPECT_EQ(Said({measure("a", Verdict::kIdentical, {}, 0, {0, 0})}).text(),
