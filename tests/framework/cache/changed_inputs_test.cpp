@@ -99,8 +99,9 @@ TEST_F(SwappedInputTest, NothingThatDependsOnItIsKeptAndTheRestIs) {
     FileNumbers::swaps = false;
     const Ran again = run(second, "end.sum");
     EXPECT_EQ(again.values, (std::vector<std::int64_t>{1 + 4 + 9 + 16 + 45}));
-    EXPECT_EQ(ran_stages(second, again.reuse),
-              (std::set<std::string>{"read", "square", "sum", "end"}));
+    std::set<std::string> made_of_it{"square", "sum", "end"};
+    if (!lazy) made_of_it.insert("read");  // a lazy source is opened again, which is no run
+    EXPECT_EQ(ran_stages(second, again.reuse), made_of_it);
     EXPECT_FALSE(warned(second));
     const Ran kept = run(third, "end.sum");
     EXPECT_EQ(kept.values, again.values);
