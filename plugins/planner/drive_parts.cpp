@@ -31,8 +31,7 @@ class PartDriver {
       site_.checkpoint();
       if (!drive_part()) return std::nullopt;
     }
-    if (!done_ || !arrives(curve_, ends_) || site_.ground.first_obstruction(curve_))
-      return std::nullopt;
+    if (!done_ || obstruction_of(site_, curve_, ends_)) return std::nullopt;
     return curve_;
   }
 
@@ -47,9 +46,7 @@ class PartDriver {
     auto smooth = smoothed_along(site_, line, ends);
     const DriveCurve next =
         smooth && arrives(*smooth, ends) ? *smooth : straight_guess(line, here_, ends.goal);
-    auto found = site_.ground.first_obstruction(next);
-    if (!found && !arrives(next, ends))
-      found = Obstruction{Obstruction::Kind::kTurn, next.length(), next.end(), 0, Vector2::Zero()};
+    const auto found = obstruction_of(site_, next, ends);
     if (!found && last) {
       keep(next);
       done_ = true;

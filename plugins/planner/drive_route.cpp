@@ -64,7 +64,7 @@ class RouteDriver {
     // The line itself: what comes out of smoothing can lead far into the walls.
     DriveCurve curve = straight_guess(line_, ends.start, ends.goal);
     if (const auto driven = repaired(site_, curve, ends)) return *driven;
-    refuse(curve, *obstruction_of(curve, ends), ends.goal);
+    refuse(curve, *obstruction_of(site_, curve, ends), ends.goal);
   }
 
  private:
@@ -74,21 +74,14 @@ class RouteDriver {
                                      const DriveEnds& ends) const {
     int repairs = 0;
     const int most = kFewRepairs + static_cast<int>(line_.length() / 10);
-    for (auto obstruction = obstruction_of(curve, ends); obstruction;
-         obstruction = obstruction_of(curve, ends)) {
+    for (auto obstruction = obstruction_of(site_, curve, ends); obstruction;
+         obstruction = obstruction_of(site_, curve, ends)) {
       if (++repairs > most || !repair_drive(site, curve, *obstruction, ends.goal))
         return std::nullopt;
     }
     DriveEnds own = ends;
     own.start = curve.start;
     return smoothed_again(site, curve, own).value_or(curve);
-  }
-
-  std::optional<Obstruction> obstruction_of(const DriveCurve& curve, const DriveEnds& ends) const {
-    if (auto found = site_.ground.first_obstruction(curve)) return found;
-    if (!arrives(curve, ends))
-      return Obstruction{Obstruction::Kind::kTurn, curve.length(), curve.end(), 0, Vector2::Zero()};
-    return std::nullopt;
   }
 
   [[noreturn]] void refuse(const DriveCurve& curve, Obstruction obstruction,

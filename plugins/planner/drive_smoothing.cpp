@@ -35,6 +35,14 @@ bool arrives(const DriveCurve& curve, const DriveEnds& ends) {
           std::abs(std::remainder(end.yaw - *ends.goal_heading, 2 * M_PI)) < kTurned);
 }
 
+std::optional<Obstruction> obstruction_of(const DriveSite& site, const DriveCurve& curve,
+                                          const DriveEnds& ends) {
+  if (auto found = site.ground.first_obstruction(curve)) return found;
+  if (!arrives(curve, ends))
+    return Obstruction{Obstruction::Kind::kTurn, curve.length(), curve.end(), 0, Vector2::Zero()};
+  return std::nullopt;
+}
+
 DriveCurve smoothed(const DriveSite& site, const DriveCurve& first, const RouteLine& line,
                     const DriveEnds& ends, const CurveWishes& wishes, int most_rounds) {
   CurveRequest request;

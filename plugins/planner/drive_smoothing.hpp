@@ -18,6 +18,10 @@ struct DriveEnds {
 /// rad.
 bool arrives(const DriveCurve& curve, const DriveEnds& ends);
 
+/// The first place where a curve cannot be driven, its end if that is not where it must arrive.
+std::optional<Obstruction> obstruction_of(const DriveSite& site, const DriveCurve& curve,
+                                          const DriveEnds& ends);
+
 /// A curve smoothed along a line, obstacles pushed away from harder if that helps.
 DriveCurve smoothed(const DriveSite& site, const DriveCurve& first, const RouteLine& line,
                     const DriveEnds& ends, const CurveWishes& wishes, int most_rounds);
