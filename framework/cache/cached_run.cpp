@@ -12,6 +12,7 @@
 #include "framework/cache/store_contents.hpp"
 #include "framework/cache/store_folder.hpp"
 #include "framework/cache/stored_stage.hpp"
+#include "framework/cache/warning_memory.hpp"
 #include "framework/plugins/plugin_search.hpp"
 #include "framework/plugins/sdk_build.hpp"
 #include "stope/error.hpp"
@@ -108,6 +109,30 @@ struct CachedRun::State {
                      fmt::format("goes on: {} items were made before", reuse.made[i][0].size()));
   }
 
+  // Of stages whose results are taken, or are in what is taken.
+  void repeat_all_warnings() {
+    for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+      if (is_made(reuse.fates[i]) || keys[i].only_this_run) continue;
+      if (const auto kept = store->stages.find(keys[i].digest))
+        repeat_warnings(*kept, plan.stages[i].name, store->objects, observer);
+    }
+  }
+
+  // Of stages none of whose outputs are kept.
+  void note_warnings(const WarningMemory& memory) {
+    if (use.keep == Keep::kNothing) return;
+    try {
+      for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+        if (reuse.fates[i] != Fate::kRuns || keys[i].only_this_run || !inputs->holds(i)) continue;
+        if (auto note = memory.note(plan.stages[i].name, store->objects))
+          store->stages.save(keys[i].digest,
+                             {KeptStage::kFormat, plan.stages[i].name, {*std::move(note)}});
+      }
+    } catch (const std::exception& error) {
+      complain(error.what());
+    }
+  }
+
   void warn_of_changed_inputs() const {
     for (const std::filesystem::path& path : inputs->changed())
       observer.log(LogLevel::kWarning, "",
@@ -162,14 +187,16 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
     }
     std::vector<PlannedSource> read = wanted;
     for (const Sink& sink : sinks) read.push_back(sink.source);
+    WarningMemory memory(state.observer);
     Keeper keeper(state.plan, state.keys, state.reuse, read, state.use.keep, *state.inputs,
-                  state.store->stages, state.store->objects, &state.store->journal);
+                  state.store->stages, state.store->objects, &state.store->journal, &memory);
     std::vector<Sink> all = keeper.sinks();
     all.insert(all.end(), sinks.begin(), sinks.end());
     const Plan plan = with_reuse(state.plan, state.reuse);
     const ReusingCatalogue catalogue(state.plan, state.reuse, state.catalogue,
                                      state.store->objects);
-    RunRecord record = run_plan(plan, catalogue, all, options, state.observer, progress);
+    if (state.use.take) state.repeat_all_warnings();
+    RunRecord record = run_plan(plan, catalogue, all, options, memory, progress);
     keeper.end();
     if (const std::string complaint = keeper.complaint(); !complaint.empty())
       state.complain(complaint);
@@ -178,6 +205,7 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
                          "something in the store was damaged or removed; it is computed anew");
       continue;
     }
+    if (record.end == RunRecord::End::kDone) state.note_warnings(memory);
     state.warn_of_changed_inputs();
     state.tidy_up();
     return record;

@@ -50,7 +50,8 @@ struct Keeper::State {
   const InputCheck& inputs;
   KeptStages& kept;
   ObjectStore& store;
-  ItemJournal* journal;  ///< or null
+  ItemJournal* journal;           ///< or null
+  const WarningMemory* warnings;  ///< or null
   std::vector<Recording> recordings;
   std::vector<StageRecording> stages;
   mutable std::mutex mutex;  ///< of stages and complaint
@@ -114,9 +115,13 @@ struct Keeper::State {
     if (!recording.failed && right) stage.kept.outputs.push_back(std::move(recording.output));
     if (--stage.open > 0 || stage.kept.outputs.empty()) return;
     try {
+      if (warnings)
+        if (auto note = warnings->note(stage.kept.name, store))
+          stage.kept.outputs.push_back(*std::move(note));
       kept.save(stage.key, stage.kept);
       if (journal)
-        for (const KeptOutput& output : stage.kept.outputs) journal->remove(stage.key, output.port);
+        for (const KeptOutput& output : stage.kept.outputs)
+          if (output.type != kNoteType) journal->remove(stage.key, output.port);
     } catch (const std::exception& error) {
       if (complaint.empty()) complaint = error.what();
     }
@@ -125,8 +130,9 @@ struct Keeper::State {
 
 Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
                const std::vector<PlannedSource>& wanted, Keep keep, const InputCheck& inputs,
-               KeptStages& kept, ObjectStore& store, ItemJournal* journal)
-    : state_(new State{plan, inputs, kept, store, journal, {}, {}, {}, {}}) {
+               KeptStages& kept, ObjectStore& store, ItemJournal* journal,
+               const WarningMemory* warnings)
+    : state_(new State{plan, inputs, kept, store, journal, warnings, {}, {}, {}, {}}) {
   if (keep == Keep::kNothing) return;
   std::set<std::pair<std::size_t, std::size_t>> read;
   for (const PlannedSource& source : wanted) read.emplace(source.stage, source.port);

@@ -8,6 +8,7 @@
 #include "framework/cache/kept_stage.hpp"
 #include "framework/cache/object_store.hpp"
 #include "framework/cache/reuse.hpp"
+#include "framework/cache/warning_memory.hpp"
 #include "framework/executor/run.hpp"
 
 namespace stope {
@@ -26,10 +27,12 @@ enum class Keep : int {
 class Keeper {
  public:
   /// Keeps outputs of stages that run and are read, by another stage or `wanted` by the run;
-  /// others are never made. All must live as long as the run.
+  /// others are never made. What stages have warned of by then is kept with them. All must live as
+  /// long as the run.
   Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
          const std::vector<PlannedSource>& wanted, Keep keep, const InputCheck& inputs,
-         KeptStages& kept, ObjectStore& store, ItemJournal* journal = nullptr);
+         KeptStages& kept, ObjectStore& store, ItemJournal* journal = nullptr,
+         const WarningMemory* warnings = nullptr);
   ~Keeper();
   /// Processes for run_plan(). They refer to this object. A store that cannot be written to fails
   /// no run: `complaint()` tells.

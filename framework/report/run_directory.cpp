@@ -34,6 +34,15 @@ void refuse_folders_named_like_files(const fs::path& folder) {
   }
 }
 
+void refuse_comparison(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder / "comparison.json", ignored))
+    throw Error(fmt::format(
+        "{} is the folder of a comparison, whose report.html the run would write over. Choose "
+        "another folder with --out.",
+        folder.string()));
+}
+
 void refuse_link(const fs::path& outputs) {
   std::error_code ignored;
   if (fs::is_symlink(outputs, ignored))
@@ -64,6 +73,7 @@ RunDirectory::RunDirectory(const fs::path& folder) : folder_(fs::absolute(folder
   create_folder(folder_);
   lock_.emplace(folder_);
   refuse_folders_named_like_files(folder_);
+  refuse_comparison(folder_);
   refuse_link(outputs());
   create_folder(outputs());
   if (::access(folder_.c_str(), W_OK) != 0 || ::access(outputs().c_str(), W_OK) != 0)

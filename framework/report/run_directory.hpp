@@ -12,8 +12,8 @@ namespace stope::report {
 
 /// The folder a run leaves its results in. Making one creates the folder and locks it against a
 /// second run; files that are already there stay, but for what a killed run left unfinished.
-/// Throws Error if it cannot be made, written to, or is in use, if outputs/ is a symbolic link, or
-/// if a folder has the name of one of the run's files.
+/// Throws Error if it cannot be made, written to, or is in use, if it is a comparison's, if
+/// outputs/ is a symbolic link, or if a folder has the name of one of the run's files.
 class RunDirectory {
  public:
   explicit RunDirectory(const std::filesystem::path& folder);

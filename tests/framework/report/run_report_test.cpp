@@ -245,6 +245,16 @@ TEST(RunReport, RefusesAFolderThatAnotherRunUses) {
   }
 }
 
+TEST(RunReport, LeavesTheFolderOfAComparisonAlone) {
+  const made::Folder folder;
+  made::put_text(folder.path / "comparison.json", "{}");
+  made::put_text(folder.path / "report.html", "the verdict");
+  EXPECT_THROW(run_once(one_map_plan(), folder.path, "abc"), Error);
+  EXPECT_EQ(made::files_below(folder.path),
+            (std::vector<std::string>{"comparison.json", "report.html"}));
+  EXPECT_EQ(text_of(folder.path / "report.html"), "the verdict");
+}
+
 TEST(RunReport, RefusesAFileInPlaceOfTheFolder) {
   const made::Folder folder;
   made::put_text(folder.path / "out", "a file");
