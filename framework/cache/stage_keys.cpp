@@ -11,6 +11,8 @@
 namespace stope {
 namespace {
 
+constexpr const char* kLibraries = "linked libraries";
+
 /// Two values have the same text only if they are the same to the last bit.
 std::string exact_text(const ParameterValue& value) {
   struct ToText {
@@ -52,6 +54,7 @@ class KeyMaker {
     };
     add("use", stage.info.id);
     add("plugin build", record->build_id);
+    add(kLibraries, record->libraries);
     add("SDK build", facts_.sdk);
     for (std::size_t i = 0; i < stage.parameters.size(); ++i) add_parameter(stage, i, key);
     if (stage.info.also_reads) add_further_files(stage, key);
@@ -146,6 +149,8 @@ std::vector<std::string> differences(const StageKey& before, const StageKey& now
     const auto found = old.find(part.name);
     if (found == old.end()) {
       sentences.push_back(fmt::format("{} is new", part.name));
+    } else if (part.name == kLibraries && found->second != part.value) {
+      sentences.emplace_back("a library that its plugin is linked with has changed");
     } else if (found->second != part.value) {
       sentences.push_back(
           part.name.starts_with("input ")

@@ -38,7 +38,8 @@ struct KeyFacts {
   std::function<Digest(const std::filesystem::path&)> digest_of_path;  ///< of files and folders
 };
 
-/// The key of each stage of a plan: from its id, its plugin's build, its parameters in SI units,
+/// The key of each stage of a plan: from its id, the builds of its
+/// plugin and of what that is linked with, its parameters in SI units,
 /// the content of the files that they name or that it also reads, the keys of its inputs, its
 /// payloads' layouts and its seed. Stages that are live, not deterministic, or read what cannot be
 /// read are keyed by the run. Throws Error if a stage cannot be made.

@@ -77,17 +77,19 @@ std::string exclusions_text(const Comparison& comparison) {
 
 std::string timings_text(const Comparison& comparison) {
   std::string text;
-  for (const TimedPair& timed : comparison.timings) {
-    const TimingSummary summary = summary_of(timed);
-    text += fmt::format(
-        "  {} on {}: {:.3g} s [{:.3g}, {:.3g}], {} {:.3g} s [{:.3g}, {:.3g}], ratio {:.3g} "
-        "[{:.3g}, {:.3g}]\n",
-        comparison.arms[timed.arm].name, comparison.recordings[timed.recording].name,
-        summary.arm.median, summary.arm.least, summary.arm.most,
-        comparison.arms[comparison.baseline].name, summary.baseline.median, summary.baseline.least,
-        summary.baseline.most, summary.ratio.median, summary.ratio.least, summary.ratio.most);
+  for (std::size_t arm = 0; arm < comparison.arms.size(); ++arm) {
+    const auto count = std::count_if(comparison.timings.begin(), comparison.timings.end(),
+                                     [&](const TimedPair& timed) { return timed.arm == arm; });
+    if (count == 0) continue;
+    const TimingSummary summary = summary_of(comparison, arm);
+    text += fmt::format("  {}: {:.3g} s, {} {:.3g} s, ratio {:.3g} [{:.3g}, {:.3g}] over {}\n",
+                        comparison.arms[arm].name, summary.arm.median,
+                        comparison.arms[comparison.baseline].name, summary.baseline.median,
+                        summary.ratio.median, summary.ratio.least, summary.ratio.most, count);
   }
-  return text.empty() ? text : "Times of the arms' own stages, median [least, most]:\n" + text;
+  if (text.empty()) return text;
+  return "Times of the arms' own stages, medians [least, most]; timings.csv has all of them:\n" +
+         text;
 }
 
 std::size_t count(const Comparison& comparison, CellStatus status) {

@@ -197,4 +197,16 @@ TimingSummary summary_of(const TimedPair& timed) {
   return {of_sorted(timed.baseline_seconds), of_sorted(timed.arm_seconds), of_sorted(ratios)};
 }
 
+TimingSummary summary_of(const Comparison& comparison, std::size_t arm) {
+  std::vector<double> baselines, arms, ratios;
+  for (const TimedPair& timed : comparison.timings) {
+    if (timed.arm != arm) continue;
+    const TimingSummary of_one = summary_of(timed);
+    baselines.push_back(of_one.baseline.median);
+    arms.push_back(of_one.arm.median);
+    ratios.push_back(of_one.ratio.median);
+  }
+  return {of_sorted(baselines), of_sorted(arms), of_sorted(ratios)};
+}
+
 }  // namespace stope

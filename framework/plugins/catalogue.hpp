@@ -17,6 +17,7 @@ struct StageRecord {
   std::string plugin_id;
   std::string plugin_version;
   std::string build_id;  ///< of the library, hexadecimal; of one without, a digest of its bytes
+  std::string libraries = {};  ///< names the builds of all libraries that it is linked with
 };
 
 /// Which stages there are, and how to make one. The pipeline checker and the executor see plugins

@@ -128,6 +128,7 @@ void visit_manifest(auto& visit, auto& manifest) {
   visit(manifest.plugin_id);
   visit(manifest.plugin_version);
   visit.list(manifest.stages, [&](auto& stage) { visit_stage(visit, stage); });
+  visit.list(manifest.libraries, [&](auto& library) { visit(library); });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/plugins/linked_libraries.hpp"
 #include "stope/codec.hpp"
 #include "stope/stage_info.hpp"
 
@@ -12,11 +13,12 @@ namespace stope {
 /// stages can be listed and pipelines checked without opening the plugin.
 struct Manifest {
   std::string plugin_id, plugin_version;
-  std::vector<StageInfo> stages;  ///< as the plugin lists them
+  std::vector<StageInfo> stages;              ///< as the plugin lists them
+  std::vector<LinkedLibrary> libraries = {};  ///< that it was found linked with
 };
 
 /// Changes when the encoded form does.
-inline constexpr std::uint32_t kManifestFormat = 2;
+inline constexpr std::uint32_t kManifestFormat = 3;
 
 void encode_manifest(const Manifest& manifest, ByteSink& sink);
 

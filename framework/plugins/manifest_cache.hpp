@@ -15,12 +15,14 @@ struct FileIdentity {
   std::uint64_t size = 0;
   std::int64_t modified = 0;  ///< nanoseconds since 1970
   std::string build_id;
+  std::string linker_environment;  ///< that decides which libraries are found
   bool operator==(const FileIdentity&) const = default;
   static constexpr void fields(auto& s, auto&& visit) {
     visit("path", s.path);
     visit("size", s.size);
     visit("modified", s.modified);
     visit("build_id", s.build_id);
+    visit("linker_environment", s.linker_environment);
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "framework/plugins/elf_file.hpp"
 #include "framework/plugins/layout_check.hpp"
+#include "framework/plugins/linked_libraries.hpp"
 #include "framework/plugins/manifest_check.hpp"
 #include "framework/plugins/note_check.hpp"
 #include "framework/plugins/open_file.hpp"
@@ -39,10 +40,11 @@ void PluginCatalogue::scan() {
       Manifest manifest = examine(path, file);
       check_manifest(manifest);
       check_layouts(manifest, layouts);
+      const std::string libraries = builds_of(manifest.libraries);
       for (StageInfo& info : manifest.stages) {
         file.stages.push_back(info.id);
         stages_.push_back(
-            {std::move(info), path, file.plugin_id, file.plugin_version, file.build_id});
+            {std::move(info), path, file.plugin_id, file.plugin_version, file.build_id, libraries});
       }
       std::sort(file.stages.begin(), file.stages.end());
     } catch (const PluginRefused& refused) {
@@ -63,9 +65,10 @@ Manifest PluginCatalogue::examine(const std::filesystem::path& path, PluginFile&
   check_note(notes);
   // Without it a rebuilt plugin would pass for the one before.
   if (file.build_id.empty()) file.build_id = open.digest();
-  const FileIdentity identity{path.string(), open.size(), open.modified(), file.build_id};
+  const FileIdentity identity{path.string(), open.size(), open.modified(), file.build_id,
+                              linker_environment()};
   identities_[path.string()] = identity;
-  if (auto manifest = cache_.find(identity)) {
+  if (auto manifest = cache_.find(identity); manifest && are_unchanged(manifest->libraries)) {
     file.cached = true;
     return std::move(*manifest);
   }

@@ -90,7 +90,7 @@ const StageEntry* PluginLibrary::find(std::string_view stage_id) const {
 }
 
 Manifest PluginLibrary::describe(const Progress& progress) const {
-  Manifest manifest{table_->id, table_->version, {}};
+  Manifest manifest{table_->id, table_->version, {}, {}};
   for (std::size_t i = 0; i < table_->stage_count; ++i) {
     const StageEntry& entry = *table_->stages[i];
     progress(fmt::format("describing its stage '{}'", entry.id));

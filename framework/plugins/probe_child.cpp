@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "framework/plugins/floating_point_modes.hpp"
+#include "framework/plugins/linked_libraries.hpp"
 #include "framework/plugins/plugin_library.hpp"
 #include "framework/plugins/probe_messages.hpp"
 
@@ -46,6 +47,7 @@ Manifest describe_in_child(const std::filesystem::path& file, int descriptor) {
   const FloatingPointModes before = floating_point_modes();
   const PluginLibrary library(file, tell);
   Manifest manifest = library.describe(tell);
+  manifest.libraries = linked_libraries(file);
   if (floating_point_modes() != before) {
     throw PluginRefused(PluginStatus::kFloatingPoint,
                         "It changes the floating-point modes when it describes its stages, so that "

@@ -55,5 +55,14 @@ TEST(ComparisonText, SaysWhatWarnsOfRecordingsThatAreOne) {
   expect_line(comparison, "Note: the recordings 'a' and 'b' are one and the same");
 }
 
+// The medians of an arm on three recordings are 2, 4 and 3 times the baseline's.
+TEST(ComparisonText, SumsUpTheTimesOfAnArm) {
+  Comparison comparison = made(2, 6, 0.5);
+  for (const double times : {2.0, 4.0, 3.0})
+    comparison.timings.push_back({1, 0, 0, {1, 0.5, 2}, {times, 0.5 * times, 2 * times}, "key"});
+  EXPECT_NE(comparison_text(comparison).find("ratio 3 [2, 4] over 3\n"), std::string::npos)
+      << comparison_text(comparison);
+}
+
 }  // namespace
 }  // namespace stope

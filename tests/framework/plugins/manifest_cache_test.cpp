@@ -21,7 +21,7 @@ class ManifestCacheTest : public ::testing::Test {
 
   testing::MemoryContext context_;
   fs::path folder_ = context_.temporary_folder() / "made" / "when needed";
-  FileIdentity identity_{"/plugins/acme.so", 1234, 5678, "abcd"};
+  FileIdentity identity_{"/plugins/acme.so", 1234, 5678, "abcd", ""};
 };
 
 TEST_F(ManifestCacheTest, GivesBackWhatItKept) {
@@ -37,10 +37,12 @@ TEST_F(ManifestCacheTest, GivesBackWhatItKept) {
 TEST_F(ManifestCacheTest, AnotherBuildOfTheFileIsAnotherFile) {
   const ManifestCache cache(folder_);
   cache.keep(identity_, full_manifest());
-  for (const FileIdentity& other : {FileIdentity{"/plugins/other.so", 1234, 5678, "abcd"},
-                                    FileIdentity{"/plugins/acme.so", 1235, 5678, "abcd"},
-                                    FileIdentity{"/plugins/acme.so", 1234, 5679, "abcd"},
-                                    FileIdentity{"/plugins/acme.so", 1234, 5678, "abce"}}) {
+  for (const FileIdentity& other :
+       {FileIdentity{"/plugins/other.so", 1234, 5678, "abcd", ""},
+        FileIdentity{"/plugins/acme.so", 1235, 5678, "abcd", ""},
+        FileIdentity{"/plugins/acme.so", 1234, 5679, "abcd", ""},
+        FileIdentity{"/plugins/acme.so", 1234, 5678, "abce", ""},
+        FileIdentity{"/plugins/acme.so", 1234, 5678, "abcd", "LD_PRELOAD=x"}}) {
     EXPECT_FALSE(cache.find(other));
   }
 }

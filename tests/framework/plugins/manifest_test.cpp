@@ -31,6 +31,7 @@ TEST(Manifest, ComesBackWhole) {
   EXPECT_EQ(reader.remaining(), 0U);
   EXPECT_EQ(after.plugin_id, "acme");
   EXPECT_EQ(after.plugin_version, "4.5.6");
+  EXPECT_EQ(after.libraries, before.libraries);
   ASSERT_EQ(after.stages.size(), 2U);
   const StageInfo &a = before.stages[1], &b = after.stages[1];
   EXPECT_EQ(std::tie(a.id, a.summary, a.source, a.notes, a.map, a.deterministic, a.live,

@@ -32,7 +32,7 @@ inline Manifest full_manifest() {
   add("file", ParameterKind::kPath, std::string("/x"), existing(PathKind::kFolder) + required());
   add("reals", ParameterKind::kReals, std::vector{1.0, 2.0}, count(1, 3));
   add("texts", ParameterKind::kTexts, std::vector<std::string>{"p", "q"}, count(0, 9));
-  return {"acme", "4.5.6", {stage, stage}};
+  return {"acme", "4.5.6", {stage, stage}, {{"/usr/lib/libhammer.so.1", 12, 34, 56, "abcd"}}};
 }
 
 }  // namespace stope
