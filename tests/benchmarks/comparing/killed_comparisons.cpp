@@ -83,12 +83,16 @@ bool kill_comparisons(int times) {
                                     "-q"};
   };
   std::vector<double> walls, processors;
+  std::map<std::string, double> seconds;
   for (int time = 0; time < kUndisturbed; ++time) {
     fs::remove_all(work.path() / "whole");
     const MeasuredProcess whole = run_stope(arguments("whole"));
     if (whole.exit_code != 0) throw std::runtime_error("the comparison failed");
     walls.push_back(whole.wall);
     processors.push_back(whole.processor);
+    // The least: a stage that had to wait for a core did not work longer.
+    for (const auto& [key, of_stage] : stage_seconds(work.path() / "whole/out"))
+      seconds[key] = seconds.contains(key) ? std::min(seconds[key], of_stage) : of_stage;
   }
   const double wall = median(walls), processor = median(processors);
   const auto wanted = artefacts(work.path() / "whole/out");
@@ -96,7 +100,6 @@ bool kill_comparisons(int times) {
              wall, processor, *std::min_element(processors.begin(), processors.end()),
              *std::max_element(processors.begin(), processors.end()), wanted.size());
   std::mt19937_64 random(20261128);
-  const auto seconds = stage_seconds(work.path() / "whole/out");
   std::vector<double> twice, longer;
   bool right = true;
   for (int time = 0; time < times; ++time) {
