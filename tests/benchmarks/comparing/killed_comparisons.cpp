@@ -1,7 +1,8 @@
 // What is computed twice: at most the stages that had begun when it was killed and were not stored
-// (computed_twice.hpp). Beside it the processor time of the killed process and of the one that goes
-// on, in which starting and reading what is stored count, too, less that of undisturbed ones, which
-// differ by some per cent among each other.
+// (computed_twice.hpp), as a share of what all stages take, by the same clock. Beside it the
+// processor time of the killed process and of the one that goes on, in which starting and reading
+// what is stored count, too, less that of undisturbed ones, which differ by some per cent among
+// each other.
 #include "tests/benchmarks/comparing/killed_comparisons.hpp"
 
 #include <fmt/format.h>
@@ -96,9 +97,13 @@ bool kill_comparisons(int times) {
   }
   const double wall = median(walls), processor = median(processors);
   const auto wanted = artefacts(work.path() / "whole/out");
-  fmt::print("undisturbed: {:.1f} s, {:.1f} s of processor time ({:.1f} to {:.1f}), {} files\n",
-             wall, processor, *std::min_element(processors.begin(), processors.end()),
-             *std::max_element(processors.begin(), processors.end()), wanted.size());
+  double all = 0;
+  for (const auto& [key, of_stage] : seconds) all += of_stage;
+  fmt::print(
+      "undisturbed: {:.1f} s, stages {:.1f} s, {:.1f} s of processor time ({:.1f} to {:.1f}), {} "
+      "files\n",
+      wall, all, processor, *std::min_element(processors.begin(), processors.end()),
+      *std::max_element(processors.begin(), processors.end()), wanted.size());
   std::mt19937_64 random(20261128);
   std::vector<double> twice, longer;
   bool right = true;
@@ -113,7 +118,7 @@ bool kill_comparisons(int times) {
     const MeasuredProcess rest = run_stope(arguments("killed"));
     const bool same = rest.exit_code == 0 && artefacts(out) == wanted;
     const int again = ran_again(out, keys, since);
-    twice.push_back(most_computed_twice(out, recording, keys, seconds) / processor);
+    twice.push_back(most_computed_twice(out, recording, keys, seconds) / all);
     longer.push_back((killed.processor + rest.processor) / processor - 1);
     right = right && same && again == 0;
     fmt::print(
