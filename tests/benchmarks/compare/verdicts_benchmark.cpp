@@ -1,6 +1,7 @@
 // How far verdicts can be believed: comparisons of equal arms that are called different, intervals
 // that miss the true difference, and planted differences that are found. Everything is drawn, with
-// fixed seeds: the same figures on every machine. Argument: [comparisons a cell, 200].
+// fixed seeds: the same figures on every machine. Arguments: [comparisons a cell, 200] [equal,
+// twins, missed, at_delta or planted].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -211,9 +212,11 @@ void found(int trials) {
 
 int main(int count, char** arguments) {
   const int trials = count > 1 ? std::atoi(arguments[1]) : 200;
-  stope::testing::false_alarms(trials);
-  stope::testing::twins(trials);
-  stope::testing::missed(10 * trials);
-  stope::testing::at_delta(5 * trials);
-  stope::testing::found(trials);
+  const std::string part = count > 2 ? arguments[2] : "all";
+  const auto wanted = [&](const char* name) { return part == "all" || part == name; };
+  if (wanted("equal")) stope::testing::false_alarms(trials);
+  if (wanted("twins")) stope::testing::twins(trials);
+  if (wanted("missed")) stope::testing::missed(10 * trials);
+  if (wanted("at_delta")) stope::testing::at_delta(5 * trials);
+  if (wanted("planted")) stope::testing::found(trials);
 }
