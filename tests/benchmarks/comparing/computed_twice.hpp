@@ -22,4 +22,8 @@ double most_computed_twice(const std::filesystem::path& comparison, const std::s
                            const std::set<std::string>& stored,
                            const std::map<std::string, double>& seconds);
 
+/// How many stages ran after `since` though all that was asked of them had been stored.
+std::size_t ran_again(const std::filesystem::path& comparison, const std::set<std::string>& stored,
+                      std::filesystem::file_time_type since);
+
 }  // namespace stope::benchmark

@@ -58,19 +58,6 @@ std::set<std::string> stored_keys(const fs::path& store) {
   return keys;
 }
 
-/// Stages that ran in cells written after `since` though the store had their key.
-int ran_again(const fs::path& out, const std::set<std::string>& keys, fs::file_time_type since) {
-  std::set<std::string> again;
-  for (const auto& entry : fs::recursive_directory_iterator(out / "arms")) {
-    if (entry.path().filename() != "run.json" || entry.last_write_time() < since) continue;
-    const auto run = nlohmann::json::parse(text_of(entry.path()));
-    for (const auto& stage : run.at("stages"))
-      if (stage.at("from") == "run" && keys.contains(stage.at("key").at("digest")))
-        again.insert(stage.at("key").at("digest"));
-  }
-  return static_cast<int>(again.size());
-}
-
 }  // namespace
 
 bool kill_comparisons(int times) {
@@ -117,7 +104,7 @@ bool kill_comparisons(int times) {
     const auto since = fs::file_time_type::clock::now();
     const MeasuredProcess rest = run_stope(arguments("killed"));
     const bool same = rest.exit_code == 0 && artefacts(out) == wanted;
-    const int again = ran_again(out, keys, since);
+    const std::size_t again = ran_again(out, keys, since);
     twice.push_back(most_computed_twice(out, recording, keys, seconds) / all);
     longer.push_back((killed.processor + rest.processor) / processor - 1);
     right = right && same && again == 0;
