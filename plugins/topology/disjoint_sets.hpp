@@ -13,6 +13,8 @@ class DisjointSets {
   explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
+  /// How many members there are.
+  std::size_t size() const { return parent_.size(); }
   std::int32_t find(std::int32_t member) {
     while (parent(member) != member) {
       parent(member) = parent(parent(member));

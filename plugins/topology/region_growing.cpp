@@ -79,17 +79,21 @@ class RegionGrowing final
       change.reset();
       ground_.emplace(grid, params, checkpoint);
     }
-    std::vector<CellIndex> visited = visited_cells(*ground_, trajectory, context);
-    RegionsAndRoads result = segment_by_growth(
-        *ground_, std::move(visited), growing(), roads_rule(params, params), context.random(),
-        checkpoint, grid.changed ? &memory_ : nullptr, change ? &*change : nullptr);
-    if (grid.changed) {
+    const std::vector<CellIndex> visited = visited_cells(*ground_, trajectory, context);
+    // A map that does not tell what changed, and paper's random points, are not worth the memory.
+    const bool remember = grid.changed && params.mode != "paper";
+    RegionsAndRoads result =
+        remember ? segment_by_growth(*ground_, visited, growing(), roads_rule(params, params),
+                                     memory_, change ? &*change : nullptr, checkpoint)
+                 : segment_by_growth(std::move(*ground_), visited, growing(),
+                                     roads_rule(params, params), context.random(), checkpoint);
+    if (remember) {
       last_ = context.index();
-    } else {  // a map that does not tell what changed is not worth the memory
+    } else {
       ground_.reset();
       memory_ = {};
     }
-    report_regions(result, params, params.mode != "paper", context);
+    report_regions(result, params, false, context);
     return {std::move(result.roads), std::move(result.map)};
   }
 

@@ -44,6 +44,15 @@ class TileSet {
       for (std::int32_t x = left / kSide; x <= right / kSide && left <= right; ++x)
         add(y * across_ + x);
   }
+  /// Whether any of those has been named.
+  bool has_any(std::int32_t left, std::int32_t bottom, std::int32_t right, std::int32_t top) const {
+    left = std::max(left + 1, 0), bottom = std::max(bottom + 1, 0);
+    right = std::min(right + 1, stride_ - 1), top = std::min(top + 1, rows_ - 1);
+    for (std::int32_t y = bottom / kSide; y <= top / kSide && bottom <= top; ++y)
+      for (std::int32_t x = left / kSide; x <= right / kSide && left <= right; ++x)
+        if (has(y * across_ + x)) return true;
+    return false;
+  }
   void add_all() {
     for (std::size_t tile = 0; tile < named_.size(); ++tile) add(static_cast<std::int32_t>(tile));
   }

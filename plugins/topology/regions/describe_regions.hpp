@@ -56,8 +56,8 @@ inline std::string why_apart(const RegionsAndRoads& result) {
 inline void report_regions(const RegionsAndRoads& result, const ExtractionParams& params,
                            bool exact, Context& context) {
   const std::size_t count = result.map.regions.size();
-  context.info(fmt::format("{} {} cover {:.4f} of the free cells", count,
-                           count == 1 ? "region" : "regions", result.covered));
+  context.info(fmt::format("{} {} {:.4f} of the free cells", count,
+                           count == 1 ? "region covers" : "regions cover", result.covered));
   if (result.dropped > 0)
     context.warn(fmt::format(
         "{} of free space, {} cells together, {} left out as too small for a region of its own: "

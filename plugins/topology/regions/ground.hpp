@@ -8,7 +8,7 @@
 #include "plugins/topology/column_reach.hpp"
 #include "plugins/topology/extract_roads.hpp"
 #include "plugins/topology/outlines.hpp"
-#include "plugins/topology/tile_set.hpp"
+#include "plugins/topology/regions/changed_squares.hpp"
 #include "stope/payloads/occupancy_grid.hpp"
 
 namespace stope::topology {
@@ -22,11 +22,11 @@ struct GroundChange {
     CellIndex cell = 0;
     std::int32_t squared = 0;  ///< before
   };
-  GroundChange(std::int32_t width, std::int32_t height) : tiles(width, height) {}
+  GroundChange(std::int32_t width, std::int32_t height) : squares(width, height) {}
   /// Cells that have another nearest obstacle now, or stopped or began to be one. Some may be here
   /// twice.
   std::vector<At> cells;
-  TileSet tiles;  ///< of these cells
+  ChangedSquares squares;  ///< of these cells
 };
 
 /// Where regions can lie: free cells, and how far each is from the nearest obstacle.

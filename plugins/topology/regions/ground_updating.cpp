@@ -66,13 +66,13 @@ bool Ground::update(const OccupancyGrid& grid, const CellWindow& window, GroundC
       grid, rule_, least_obstacle_, on_grid(window, frame_), space_, updating_->scratch);
   if (flipped.empty()) return true;
   checkpoint();
-  const auto note = [&](CellIndex cell) {
+  const auto note = [&](CellIndex cell, std::int32_t column, std::int32_t row) {
     change.cells.push_back({cell, squared_[cell]});
-    change.tiles.add(change.tiles.tile_of(cell));
+    change.squares.add(column, row);
   };
   for (const CellIndex cell : flipped) {
     space_[cell] ^= kObstacle;
-    note(cell);
+    note(cell, column(cell), row(cell));
     if (free(cell)) {
       ++free_cells_;
     } else {
@@ -96,7 +96,7 @@ bool Ground::update(const OccupancyGrid& grid, const CellWindow& window, GroundC
     const auto [row, begin, end] = span.cells;
     const CellIndex first = index(begin, row);
     for (std::int32_t i = 0; i < end - begin; ++i, ++old)
-      if (*old != edges_[first + i] && free(first + i)) note(first + i);
+      if (*old != edges_[first + i] && free(first + i)) note(first + i, begin + i, row);
     measure(first, begin, end - begin, row);
   }
   return true;

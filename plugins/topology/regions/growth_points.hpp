@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "plugins/topology/regions/changed_squares.hpp"
 #include "plugins/topology/regions/ground.hpp"
 
 namespace stope::topology {
@@ -10,6 +11,7 @@ namespace stope::topology {
 /// A cell a region may grow from.
 struct GrowthPoint {
   CellIndex cell = 0;
+  std::int32_t column = 0, row = 0;  ///< of that cell
   std::int32_t squared = 0;  ///< squared clearance in cells, at most that of the largest region
   std::uint64_t turn = 0;    ///< among equally clear ones
   bool operator==(const GrowthPoint&) const = default;
@@ -30,6 +32,12 @@ bool is_open(std::int32_t squared, double max_radius);
 /// one in each square. `max_radius` in cells.
 std::vector<GrowthPoint> middle_points(const Ground& ground, double max_radius,
                                        const Checkpoint& checkpoint);
+
+/// Makes the middle points of an earlier ground those of this one. `changed` has every cell that is
+/// or was next to one whose clearance, up to `max_radius`, is another, and all of each square in
+/// the open with a cell that is or was in the open in only one of the two.
+void update_middle_points(const Ground& ground, double max_radius, const ChangedSquares& changed,
+                          std::vector<GrowthPoint>& points);
 
 /// Those of the cells that are free, once each.
 std::vector<GrowthPoint> points_at(const Ground& ground, std::vector<CellIndex> cells,

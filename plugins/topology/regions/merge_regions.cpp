@@ -22,16 +22,17 @@ ShapePoint centre(const RegionShape& shape) {
 
 class Merging {
  public:
-  Merging(const Ground& ground, const RegionCells& regions, const TileParts& tiles,
-          const std::vector<Contact>& contacts, const RegionSet& set, const MergeRule& rule,
-          const Checkpoint& checkpoint)
+  Merging(const Ground& ground, const RegionCells& regions, const std::vector<RegionShape>& shapes,
+          const std::vector<Contact>& contacts, const RegionSet& set, const MergeRule& rule)
       : ground_(ground),
         regions_(regions),
         rule_(rule),
-        shapes_(shapes_of(ground, regions, set, parts_of_regions(tiles, set), checkpoint)),
+        shapes_(static_cast<std::size_t>(set.count)),
         borders_(static_cast<std::size_t>(set.count)),
         now_(static_cast<std::size_t>(set.count) + 1) {
     for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = static_cast<std::int32_t>(i);
+    for (std::size_t name = 1; name < set.of_name.size(); ++name)
+      if (set.of_name[name] != 0) shapes_[place(set.of_name[name])] = shapes[name];
     std::vector<Border> borders = find_borders(contacts, set);
     if (rule.as_printed) borders = tree_of(borders, set.count);
     for (const Border& border : borders) {
@@ -169,10 +170,10 @@ class Merging {
 
 }  // namespace
 
-void merge_regions(const Ground& ground, const RegionCells& regions, const TileParts& tiles,
-                   const std::vector<Contact>& contacts, RegionSet& set, const MergeRule& rule,
-                   const Checkpoint& checkpoint) {
-  Merging merging(ground, regions, tiles, contacts, set, rule, checkpoint);
+void merge_regions(const Ground& ground, const RegionCells& names,
+                   const std::vector<RegionShape>& shapes, const std::vector<Contact>& contacts,
+                   RegionSet& set, const MergeRule& rule, const Checkpoint& checkpoint) {
+  Merging merging(ground, names, shapes, contacts, set, rule);
   merging.run(checkpoint);
   const std::vector<std::int32_t>& now = merging.now();
   std::vector<std::int32_t> number(now.size(), 0);

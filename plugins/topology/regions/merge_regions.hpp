@@ -16,10 +16,11 @@ struct MergeRule {
 };
 
 /// Merges regions by Algorithm 2, the smallest first, each with the neighbour it has the longest
-/// border with that the rule allows. `regions` are the cells' names, and the set has one region for
-/// each, of the same number; `contacts` are those of all tiles.
-void merge_regions(const Ground& ground, const RegionCells& regions, const TileParts& tiles,
-                   const std::vector<Contact>& contacts, RegionSet& set, const MergeRule& rule,
-                   const Checkpoint& checkpoint);
+/// border with that the rule allows. `names` are those of the cells; the set has one region for
+/// each (of the same number, if as printed), and `shapes` are these, by name. `contacts` are those
+/// of all tiles.
+void merge_regions(const Ground& ground, const RegionCells& names,
+                   const std::vector<RegionShape>& shapes, const std::vector<Contact>& contacts,
+                   RegionSet& set, const MergeRule& rule, const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

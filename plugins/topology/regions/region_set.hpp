@@ -17,6 +17,8 @@ struct RegionSet {
   /// By name, or none at all: whether only ways too narrow for roads join it with the rest of its
   /// region. Those that are have no other wide way out.
   std::vector<std::uint8_t> cut_off = {};
+  /// Whether all free cells of a name are in one piece of free space.
+  bool in_one_piece = true;
 
   bool is_cut_off(std::int32_t name) const {
     return !cut_off.empty() && cut_off[static_cast<std::size_t>(name)] != 0;
@@ -26,9 +28,10 @@ struct RegionSet {
 
 /// What regions 1 … count consist of.
 struct RegionParts {
-  std::vector<std::vector<CellIndex>> members;   ///< keys of their names, increasing
-  std::vector<std::vector<CellIndex>> cut_off;   ///< … of those that are
-  std::vector<std::vector<std::int32_t>> tiles;  ///< in which they have cells, increasing
+  std::vector<std::vector<CellIndex>> members;    ///< keys of their names, increasing
+  std::vector<std::vector<CellIndex>> cut_off;    ///< … of those that are
+  std::vector<std::vector<std::int32_t>> tiles;   ///< in which they have cells, increasing
+  std::vector<std::vector<TileSquares>> squares;  ///< of each of those
   std::vector<std::int64_t> free_cells;
 };
 
@@ -38,6 +41,7 @@ inline RegionParts parts_of_regions(const TileParts& tiles, const RegionSet& set
   parts.members.resize(count);
   parts.cut_off.resize(count);
   parts.tiles.resize(count);
+  parts.squares.resize(count);
   parts.free_cells.resize(count, 0);
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
     for (const TilePart& part : tiles.parts(tile)) {
@@ -46,8 +50,12 @@ inline RegionParts parts_of_regions(const TileParts& tiles, const RegionSet& set
       const auto place = static_cast<std::size_t>(region) - 1;
       parts.free_cells[place] += part.free_cells;
       auto& own = parts.tiles[place];
-      if (own.empty() || own.back() != static_cast<std::int32_t>(tile))
+      auto& squares = parts.squares[place];
+      if (own.empty() || own.back() != static_cast<std::int32_t>(tile)) {
         own.push_back(static_cast<std::int32_t>(tile));
+        squares.push_back(0);
+      }
+      squares.back() |= part.squares;
     }
   }
   for (std::size_t name = 0; name < set.of_name.size(); ++name) {

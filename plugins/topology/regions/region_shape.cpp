@@ -108,17 +108,29 @@ RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names
   return shape;
 }
 
-std::vector<RegionShape> shapes_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                                   const RegionSet& set, const RegionParts& parts,
-                                   const Checkpoint& checkpoint) {
-  std::vector<RegionShape> shapes(static_cast<std::size_t>(set.count));
-  for_each_band(set.count, checkpoint, [&] {
+void update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                   const RegionSet& set, const TileParts& tiles, const MovedCells* moved,
+                   std::vector<RegionShape>& shapes, const Checkpoint& checkpoint) {
+  const std::size_t known = moved ? shapes.size() : 0;
+  shapes.resize(set.of_name.size());
+  std::vector<std::int32_t> stale;
+  std::vector<std::vector<std::int32_t>> tiles_of(set.of_name.size());
+  for (std::size_t name = 1; name < set.of_name.size(); ++name)
+    if (set.of_name[name] != 0 &&
+        (name >= known || moved->has_name(static_cast<std::int32_t>(name))))
+      stale.push_back(static_cast<std::int32_t>(name));
+  std::vector<std::uint8_t> wanted(set.of_name.size(), 0);
+  for (const std::int32_t name : stale) wanted[static_cast<std::size_t>(name)] = 1;
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+    for (const TilePart& part : tiles.parts(tile))
+      if (const auto name = static_cast<std::size_t>(part.name); wanted[name])
+        tiles_of[name].push_back(static_cast<std::int32_t>(tile));
+  for_each_band(static_cast<std::int32_t>(stale.size()), checkpoint, [&] {
     return [&](std::int32_t i) {
-      const auto place = static_cast<std::size_t>(i);
-      shapes[place] = shape_of(ground, names, set, i + 1, parts.tiles[place]);
+      const auto name = static_cast<std::size_t>(stale[static_cast<std::size_t>(i)]);
+      shapes[name] = shape_of(ground, names, set, set.of_name[name], tiles_of[name]);
     };
   });
-  return shapes;
 }
 
 }  // namespace stope::topology

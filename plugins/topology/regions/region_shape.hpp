@@ -5,6 +5,7 @@
 
 #include "plugins/topology/regions/ground.hpp"
 #include "plugins/topology/regions/growing_hull.hpp"
+#include "plugins/topology/regions/moved_cells.hpp"
 #include "plugins/topology/regions/region_set.hpp"
 
 namespace stope::topology {
@@ -40,9 +41,10 @@ RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names
                      const RegionSet& set, std::int32_t region,
                      const std::vector<std::int32_t>& tiles);
 
-/// Shapes of all regions, found side by side. Place i holds region i + 1.
-std::vector<RegionShape> shapes_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                                   const RegionSet& set, const RegionParts& parts,
-                                   const Checkpoint& checkpoint);
+/// Makes the shapes those of the set's regions, each of which has one name; by name. With `moved`
+/// they are those of an earlier map, of which the names tell which are others now.
+void update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                   const RegionSet& set, const TileParts& tiles, const MovedCells* moved,
+                   std::vector<RegionShape>& shapes, const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

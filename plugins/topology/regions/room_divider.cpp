@@ -12,26 +12,28 @@
 #include <utility>
 
 #include "plugins/topology/regions/borders.hpp"
+#include "plugins/topology/regions/write_labels.hpp"
 
 namespace stope::topology {
 
 struct RoomDivider::State {
-  State(const OccupancyGrid& grid, const ExtractionParams& extraction, const Checkpoint& checkpoint)
+  State(const OccupancyGrid& grid, const ExtractionParams& extraction, bool keep,
+        const Checkpoint& checkpoint)
       : ground(grid, extraction, checkpoint),
-        basins(ground, checkpoint),
+        basins(ground, keep, checkpoint),
         tiles(ground.width(), ground.height()) {
     tiles.look_at(ground, basins.cells(), all_tiles(ground), checkpoint);
     contacts = all_contacts(tiles);
     std::sort(contacts.begin(), contacts.end(), is_clearer);
   }
 
-  bool update(const OccupancyGrid& grid, const CellWindow& window, TileSet& changed,
+  bool update(const OccupancyGrid& grid, const CellWindow& window, ChangedSquares& changed,
               const Checkpoint& checkpoint) {
     GroundChange change(ground.width(), ground.height());
     if (!ground.update(grid, window, change, checkpoint)) return false;
-    changed = change.tiles;
-    basins.update(ground, change.tiles, changed);
-    const std::vector<std::int32_t> near = with_neighbours(ground, changed);
+    changed = change.squares;
+    basins.update(ground, change.squares, changed);
+    const std::vector<std::int32_t> near = tiles_that_see(changed);
     tiles.look_at(ground, basins.cells(), near, checkpoint);
     TileSet looked_at(ground.width(), ground.height());
     for (const std::int32_t tile : near) looked_at.add(tile);
@@ -76,9 +78,18 @@ std::size_t RoomDivider::reused() const { return state_ ? state_->memo.reused : 
 RegionsAndRoads RoomDivider::full(const OccupancyGrid& grid, bool keep,
                                   const Checkpoint& checkpoint) {
   forget();
-  auto state = std::make_unique<State>(grid, extraction_, checkpoint);
+  auto state = std::make_unique<State>(grid, extraction_, keep, checkpoint);
   RegionsAndRoads result = finish(*state, nullptr, checkpoint);
-  if (keep) state_ = std::move(state);
+  if (keep) {
+    write_labels(grid.frame, state->basins.cells(), state->tiles, result.label_of_name,
+                 result.map.labels, checkpoint);
+    state_ = std::move(state);
+  } else {  // a large map's labels take the place of what is not needed any more
+    const PaddedGrid<std::int32_t> names = std::move(state->basins).take_cells();
+    const TileParts tiles = std::move(state->tiles);
+    state.reset();
+    write_labels(grid.frame, names, tiles, result.label_of_name, result.map.labels, checkpoint);
+  }
   return result;
 }
 
@@ -87,14 +98,16 @@ RegionsAndRoads RoomDivider::update(const OccupancyGrid& grid, const CellWindow&
   // Whoever stops half way must not leave half a state.
   std::unique_ptr<State> state = std::move(state_);
   if (!state) return full(grid, true, checkpoint);
-  TileSet changed(state->ground.width(), state->ground.height());
+  ChangedSquares changed(state->ground.width(), state->ground.height());
   if (!state->update(grid, window, changed, checkpoint)) return full(grid, true, checkpoint);
   RegionsAndRoads result = finish(*state, &changed, checkpoint);
+  write_labels(grid.frame, state->basins.cells(), state->tiles, result.label_of_name,
+               result.map.labels, checkpoint);
   state_ = std::move(state);
   return result;
 }
 
-RegionsAndRoads RoomDivider::finish(State& state, const TileSet* changed,
+RegionsAndRoads RoomDivider::finish(State& state, const ChangedSquares* changed,
                                     const Checkpoint& checkpoint) const {
   const double resolution = state.ground.frame().resolution;
   const double least_area = rule_.min_region_area / (resolution * resolution);

@@ -36,7 +36,8 @@ class RoomDivider {
 
  private:
   struct State;
-  RegionsAndRoads finish(State& state, const TileSet* changed, const Checkpoint& checkpoint) const;
+  RegionsAndRoads finish(State& state, const ChangedSquares* changed,
+                         const Checkpoint& checkpoint) const;
 
   ExtractionParams extraction_;
   Rule rule_;

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <iterator>
 #include <utility>
 
 #include "plugins/topology/regions/absorb_rest.hpp"
 #include "plugins/topology/regions/grow_as_printed.hpp"
+#include "plugins/topology/regions/regrow_regions.hpp"
+#include "plugins/topology/regions/write_labels.hpp"
 #include "stope/error.hpp"
 
 namespace stope::topology {
@@ -48,29 +49,25 @@ void check(const GrowingParams& params, const GridFrame& frame) {
       params.growth_radius, frame.resolution));
 }
 
-/// Where a ground differs from an earlier one for regions of at most `radius`.
-ChangedTiles difference(const Ground& ground, const GroundChange& change, double radius) {
-  ChangedTiles changed(ground.width(), ground.height());
+/// Where growth of at most `radius` sees another ground than before, or other points on it.
+ChangedSquares difference(const Ground& ground, const GroundChange& change, double radius,
+                          const std::vector<CellIndex>& visited,
+                          const std::vector<CellIndex>& visited_before) {
+  ChangedSquares changed(ground.width(), ground.height());
   const auto bound = static_cast<std::int32_t>(std::min(radius * radius + 1, 1e9));
   // Whether a cell is a growth point depends on its neighbours, and on its square for what is open.
-  const std::int32_t square = std::max(2, spacing_in_the_open(radius));
+  const std::int32_t square = std::max(1, spacing_in_the_open(radius));
   for (const auto& [cell, squared] : change.cells) {
     const std::int32_t now = ground.squared(cell);
     if (std::min(bound, now) == std::min(bound, squared)) continue;
     changed.add(ground.column(cell), ground.row(cell),
-                is_open(now, radius) == is_open(squared, radius) ? 2 : square);
+                is_open(now, radius) == is_open(squared, radius) ? 1 : square);
   }
+  std::vector<CellIndex> differs;
+  std::set_symmetric_difference(visited.begin(), visited.end(), visited_before.begin(),
+                                visited_before.end(), std::back_inserter(differs));
+  for (const CellIndex cell : differs) changed.add(ground.column(cell), ground.row(cell));
   return changed;
-}
-
-RegionCells cells_of(const Ground& ground, const std::vector<GrownRegion>& grown) {
-  RegionCells regions = without_regions(ground);
-  std::int32_t number = 0;
-  for (const GrownRegion& region : grown) {
-    ++number;
-    for (const CellIndex cell : region.growth.cells) regions[cell] = number;
-  }
-  return regions;
 }
 
 std::vector<CellIndex> free_cells(const Ground& ground) {
@@ -81,47 +78,101 @@ std::vector<CellIndex> free_cells(const Ground& ground) {
   return cells;
 }
 
-std::vector<GrownRegion> grow(const Ground& ground, const std::vector<CellIndex>& visited,
-                              const GrowthRule& rule, const Checkpoint& checkpoint,
-                              GrowthMemory* memory, const GroundChange* change) {
-  const std::vector<std::vector<GrowthPoint>> groups{
-      points_at(ground, visited, rule.max_radius),
-      middle_points(ground, rule.max_radius, checkpoint)};
-  if (!memory || !change || memory->visited != visited)
-    return grow_regions(ground, groups, rule, checkpoint);
-  EarlierGrowth earlier{std::move(memory->regions), difference(ground, *change, rule.max_radius)};
-  auto grown = grow_regions(ground, groups, rule, checkpoint, &earlier);
-  memory->reused = earlier.reused;
-  return grown;
+std::vector<CellIndex> sorted(std::vector<CellIndex> cells) {
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
 }
 
 /// Each grown region by itself, known by the point it grew from.
-RegionSet set_of(const std::vector<GrownRegion>& grown) {
+RegionSet set_of(const GrownRegions& grown) {
   RegionSet set;
-  set.of_name.push_back(0);
-  set.key_of_name.push_back(0);
-  for (const GrownRegion& region : grown) {
-    set.of_name.push_back(++set.count);
-    set.key_of_name.push_back(region.point.cell);
+  set.of_name.resize(static_cast<std::size_t>(grown.names_given) + 1, 0);
+  set.key_of_name.resize(set.of_name.size(), 0);
+  for (const GrownRegion& region : grown.list) {
+    set.of_name[static_cast<std::size_t>(region.name)] = ++set.count;
+    set.key_of_name[static_cast<std::size_t>(region.name)] = region.point.cell;
   }
   return set;
 }
 
-/// Adds the tiles with cells that are in another region than before.
-void add_moved_cells(const Ground& ground, const RegionCells& now, const RegionSet& set,
-                     const RegionCells& before, const std::vector<CellIndex>& keys_before,
-                     TileSet& changed) {
-  for (const std::int32_t tile : all_tiles(ground)) {
-    if (changed.has(tile)) continue;
-    changed.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-      for (CellIndex cell = first; cell < first + count; ++cell)
-        if (set.key_of_name[static_cast<std::size_t>(now[cell])] !=
-            keys_before[static_cast<std::size_t>(before[cell])]) {
-          changed.add(tile);
-          return;
-        }
-    });
+std::int32_t steps_of(double length, const GridFrame& frame) {
+  return static_cast<std::int32_t>(std::min(1e9, length / frame.resolution));
+}
+
+/// Grows all regions, or after a change those that see it, and looks at what they are; gives the
+/// cells that have moved.
+std::optional<MovedCells> grow(const Ground& ground, std::vector<CellIndex> visited,
+                               const GrowingParams& params, bool keep, GrowthMemory& memory,
+                               const GroundChange* change, const Checkpoint& checkpoint) {
+  const GrowthRule rule = growth_rule(params, ground.frame());
+  const std::int32_t reach = steps_of(params.second_radius, ground.frame());
+  visited = sorted(std::move(visited));
+  std::vector<std::vector<GrowthPoint>> groups{points_at(ground, visited, rule.max_radius), {}};
+  if (!change) {
+    groups[1] = middle_points(ground, rule.max_radius, checkpoint);
+    memory.grown = grow_regions(ground, groups, rule, keep, checkpoint);
+    if (keep) memory.middle = std::move(groups[1]), memory.visited = std::move(visited);
+    groups.clear();
+    absorb_rest(ground, *memory.grown, reach, checkpoint);
+    memory.tiles.emplace(ground.width(), ground.height());
+    memory.tiles->look_at(ground, memory.grown->names, all_tiles(ground), checkpoint);
+    return {};
   }
+  ChangedSquares seen = difference(ground, *change, rule.max_radius, visited, memory.visited);
+  groups[1] = std::move(memory.middle);
+  update_middle_points(ground, rule.max_radius, seen, groups[1]);
+  MovedCells moved(change->squares);
+  memory.reused = regrow_regions(ground, groups, rule, checkpoint, *memory.grown, seen, moved);
+  memory.middle = std::move(groups[1]), memory.visited = std::move(visited);
+  absorb_again(ground, *memory.grown, reach, seen, moved, checkpoint);
+  memory.tiles->look_at(ground, memory.grown->names, tiles_that_see(moved.squares()), checkpoint);
+  return moved;
+}
+
+RegionsAndRoads grow_and_finish(const Ground& ground, const std::vector<CellIndex>& visited,
+                                const GrowingParams& params, const RegionRoadsRule& roads,
+                                bool keep, GrowthMemory& memory, const GroundChange* change,
+                                const Checkpoint& checkpoint) {
+  const GridFrame& frame = ground.frame();
+  const std::optional<MovedCells> moved =
+      grow(ground, visited, params, keep, memory, change, checkpoint);
+  RegionSet set = set_of(*memory.grown);
+  const RegionCells& names = memory.grown->names;
+  const std::vector<Contact> contacts = all_contacts(*memory.tiles);
+  update_shapes(ground, names, set, *memory.tiles, moved ? &*moved : nullptr, memory.shapes,
+                checkpoint);
+  merge_regions(ground, names, memory.shapes, contacts, set, merge_rule(params, frame), checkpoint);
+  return finish_regions(ground, names, *memory.tiles, contacts, set,
+                        params.min_region_area / (frame.resolution * frame.resolution), roads,
+                        checkpoint, &memory.memo, moved ? &moved->squares() : nullptr);
+}
+
+/// `mode: paper`, up to the labels.
+RegionsAndRoads segment_as_printed(const Ground& ground, std::vector<CellIndex> visited,
+                                   const GrowingParams& params, RegionRoadsRule roads,
+                                   Random random, RegionCells& names, TileParts& tiles,
+                                   const Checkpoint& checkpoint) {
+  const GridFrame& frame = ground.frame();
+  visited = sorted(std::move(visited));
+  RegionSet set;
+  names = grow_as_printed(ground, visited.empty() ? free_cells(ground) : visited,
+                          growth_rule(params, frame), params.coverage,
+                          params.second_radius / frame.resolution, random, checkpoint, set.count);
+  for (std::int32_t name = 0; name <= set.count; ++name) {
+    set.of_name.push_back(name);
+    set.key_of_name.push_back(name);
+  }
+  set.in_one_piece = false;
+  roads.network = Network::kSpanningTree;
+  tiles.look_at(ground, names, all_tiles(ground), checkpoint);
+  const std::vector<Contact> contacts = all_contacts(tiles);
+  std::vector<RegionShape> shapes;
+  update_shapes(ground, names, set, tiles, nullptr, shapes, checkpoint);
+  merge_regions(ground, names, shapes, contacts, set, merge_rule(params, frame), checkpoint);
+  return finish_regions(ground, names, tiles, contacts, set,
+                        params.min_region_area / (frame.resolution * frame.resolution), roads,
+                        checkpoint);
 }
 
 }  // namespace
@@ -147,60 +198,38 @@ std::vector<CellIndex> cells_visited(const Ground& ground, const Trajectory& tra
   return cells;
 }
 
-RegionsAndRoads segment_by_growth(const Ground& ground, std::vector<CellIndex> visited,
+RegionsAndRoads segment_by_growth(Ground&& ground, const std::vector<CellIndex>& visited,
                                   const GrowingParams& params, const RegionRoadsRule& roads,
-                                  Random random, const Checkpoint& checkpoint, GrowthMemory* memory,
-                                  const GroundChange* change) {
-  const GridFrame& frame = ground.frame();
+                                  Random random, const Checkpoint& checkpoint) {
+  const GridFrame frame = ground.frame();
   check(params, frame);
-  const GrowthRule rule = growth_rule(params, frame);
-  RegionRoadsRule roads_rule = roads;
-  RegionCells regions = without_regions(ground);
-  std::vector<GrownRegion> grown;
-  RegionSet set;
-  if (memory) memory->reused = 0;
-  if (memory && (!change || !memory->names)) *memory = {}, change = nullptr;
-  std::vector<CellIndex> keys_before;
-  if (memory) keys_before = set_of(memory->regions).key_of_name;
-  if (params.as_printed) {
-    std::sort(visited.begin(), visited.end());
-    visited.erase(std::unique(visited.begin(), visited.end()), visited.end());
-    std::int32_t count = 0;
-    regions = grow_as_printed(ground, visited.empty() ? free_cells(ground) : visited, rule,
-                              params.coverage, params.second_radius / frame.resolution, random,
-                              checkpoint, count);
-    for (std::int32_t name = 0; name <= count; ++name) {
-      set.of_name.push_back(name);
-      set.key_of_name.push_back(name);
-    }
-    set.count = count;
-    roads_rule.network = Network::kSpanningTree;
-  } else {
-    grown = grow(ground, visited, rule, checkpoint, memory, change);
-    regions = cells_of(ground, grown);
-    set = set_of(grown);
-    if (!memory) grown = {};
-    const double reach = std::min(1e9, params.second_radius / frame.resolution);
-    absorb_rest(ground, regions, static_cast<std::int32_t>(reach), checkpoint);
-  }
+  RegionCells names(0, 0);
   TileParts tiles(ground.width(), ground.height());
-  tiles.look_at(ground, regions, all_tiles(ground), checkpoint);
-  const std::vector<Contact> contacts = all_contacts(tiles);
-  merge_regions(ground, regions, tiles, contacts, set, merge_rule(params, frame), checkpoint);
-  std::optional<TileSet> changed;
-  if (change && !params.as_printed) {
-    changed = change->tiles;
-    add_moved_cells(ground, regions, set, *memory->names, keys_before, *changed);
+  RegionsAndRoads result;
+  if (params.as_printed) {
+    result = segment_as_printed(ground, visited, params, roads, random, names, tiles, checkpoint);
+  } else {
+    GrowthMemory memory;
+    result = grow_and_finish(ground, visited, params, roads, false, memory, nullptr, checkpoint);
+    names = std::move(memory.grown->names);
+    tiles = std::move(*memory.tiles);
   }
+  { const Ground gone = std::move(ground); }
+  write_labels(frame, names, tiles, result.label_of_name, result.map.labels, checkpoint);
+  return result;
+}
+
+RegionsAndRoads segment_by_growth(const Ground& ground, const std::vector<CellIndex>& visited,
+                                  const GrowingParams& params, const RegionRoadsRule& roads,
+                                  GrowthMemory& memory, const GroundChange* change,
+                                  const Checkpoint& checkpoint) {
+  check(params, ground.frame());
+  if (!change || !memory.grown) memory = {}, change = nullptr;
+  memory.reused = 0;
   RegionsAndRoads result =
-      finish_regions(ground, regions, tiles, contacts, set,
-                     params.min_region_area / (frame.resolution * frame.resolution), roads_rule,
-                     checkpoint, memory ? &memory->memo : nullptr, changed ? &*changed : nullptr);
-  if (memory && !params.as_printed) {
-    memory->visited = std::move(visited);
-    memory->regions = std::move(grown);
-    memory->names = std::make_unique<RegionCells>(std::move(regions));
-  }
+      grow_and_finish(ground, visited, params, roads, true, memory, change, checkpoint);
+  write_labels(ground.frame(), memory.grown->names, *memory.tiles, result.label_of_name,
+               result.map.labels, checkpoint);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "plugins/topology/regions/finish_regions.hpp"
@@ -31,10 +31,12 @@ struct GrowingParams {
 /// What is kept of one map for the next.
 struct GrowthMemory {
   std::vector<CellIndex> visited;
-  std::vector<GrownRegion> regions;
-  std::unique_ptr<RegionCells> names;  ///< by cell: its region's place in `regions`, plus one
+  std::vector<GrowthPoint> middle;    ///< of free space
+  std::optional<GrownRegions> grown;  ///< and what they have absorbed
+  std::optional<TileParts> tiles;     ///< … of which
+  std::vector<RegionShape> shapes;    ///< … by name
   RegionMemo memo;
-  std::size_t reused = 0;  ///< of `regions`: taken from the map before
+  std::size_t reused = 0;  ///< of what has grown: taken from the map before
 };
 
 /// The cells of a grid that a trajectory passes through, in its order; `outside` counts the poses
@@ -42,14 +44,19 @@ struct GrowthMemory {
 std::vector<CellIndex> cells_visited(const Ground& ground, const Trajectory& trajectory,
                                      std::size_t& outside, std::size_t& blocked);
 
-/// Divides free space by region growing (Wang et al. 2019). `visited` may be empty. A memory is for
-/// maps that follow each other: where it has one of the map before and `change` tells how the
-/// ground differs from that one's, what grew there is used where it can be, with the same result;
-/// then it is of this map. Without `change` what it has is forgotten.
-RegionsAndRoads segment_by_growth(const Ground& ground, std::vector<CellIndex> visited,
+/// Divides free space by region growing (Wang et al. 2019). `visited` may be empty. The ground is
+/// used up: a large map's labels take its place in memory.
+RegionsAndRoads segment_by_growth(Ground&& ground, const std::vector<CellIndex>& visited,
                                   const GrowingParams& params, const RegionRoadsRule& roads,
-                                  Random random, const Checkpoint& checkpoint = never_stop,
-                                  GrowthMemory* memory = nullptr,
-                                  const GroundChange* change = nullptr);
+                                  Random random, const Checkpoint& checkpoint = never_stop);
+
+/// The same for maps that follow each other, not in `mode: paper`: where the memory has one of the
+/// map before and `change` tells how the ground differs from that one's, what grew there is used
+/// where it can be, with the same result; then it is of this map. Without `change` what it has is
+/// forgotten.
+RegionsAndRoads segment_by_growth(const Ground& ground, const std::vector<CellIndex>& visited,
+                                  const GrowingParams& params, const RegionRoadsRule& roads,
+                                  GrowthMemory& memory, const GroundChange* change = nullptr,
+                                  const Checkpoint& checkpoint = never_stop);
 
 }  // namespace stope::topology

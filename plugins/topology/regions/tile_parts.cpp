@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <numeric>
+#include <utility>
 
 #include "plugins/topology/for_each_band.hpp"
 
@@ -54,30 +55,40 @@ class TileScan {
   void row(CellIndex first, std::int32_t count) {
     const std::int32_t row = ground_.row(first);
     if (row < 0 || row >= ground_.height()) return;
+    constexpr std::int32_t kAcross = ChangedSquares::kAcross, kSide = ChangedSquares::kSide;
+    const std::int32_t below = (row + 1) % TileSet::kSide / kSide * kAcross;  // squares
     for (CellIndex cell = first; cell < first + count;) {
       const std::int32_t name = names_[cell];
       const CellIndex begin = cell;
-      std::int32_t free = 0;
+      std::uint16_t free = 0;
       for (; cell < first + count && names_[cell] == name; ++cell) {
+        if (ground_.free(cell)) ++free;
         if (name == 0) continue;
-        free += ground_.free(cell) ? 1 : 0;
         for (const CellIndex step : steps_)
           if (const std::int32_t other = names_[cell + step]; other != name && other != 0)
             touch(cell, name, cell + step, other);
       }
-      if (name != 0 && cell > begin) part(name).free_cells += free;
+      if (name == 0) {
+        nameless_ += free;
+        continue;
+      }
+      TilePart& own = part(name);
+      own.free_cells = static_cast<std::uint16_t>(own.free_cells + free);
+      const unsigned squares = (2U << (cell - 1 - first) / kSide) - (1U << (begin - first) / kSide);
+      own.squares |= static_cast<TileSquares>(squares << below);
     }
   }
 
   std::vector<TilePart> parts() { return parts_.take(); }
   std::vector<Contact> contacts() { return contacts_.take(); }
+  std::int32_t nameless() { return std::exchange(nameless_, 0); }
 
  private:
   TilePart& part(std::int32_t name) {
     return parts_.find(
         static_cast<std::uint32_t>(name), [&](const TilePart& p) { return p.name == name; },
         [&] {
-          return TilePart{name, 0};
+          return TilePart{name, 0, 0};
         });
   }
 
@@ -99,6 +110,7 @@ class TileScan {
   std::array<CellIndex, 4> steps_;
   TileList<TilePart> parts_;
   TileList<Contact> contacts_;
+  std::int32_t nameless_ = 0;
 };
 
 }  // namespace
@@ -114,7 +126,8 @@ void TileParts::look_at(const Ground& ground, const PaddedGrid<std::int32_t>& na
         const std::int32_t tile = tiles[static_cast<std::size_t>(i)];
         geometry.for_each_row(
             tile, [&](CellIndex first, std::int32_t cells) { scan->row(first, cells); });
-        tiles_[static_cast<std::size_t>(tile)] = {scan->parts(), scan->contacts()};
+        tiles_[static_cast<std::size_t>(tile)] = {scan->parts(), scan->contacts(),
+                                                  scan->nameless()};
       }
     };
   });
@@ -124,17 +137,6 @@ std::vector<std::int32_t> all_tiles(const Ground& ground) {
   std::vector<std::int32_t> tiles(TileSet(ground.width(), ground.height()).size());
   std::iota(tiles.begin(), tiles.end(), 0);
   return tiles;
-}
-
-std::vector<std::int32_t> with_neighbours(const Ground& ground, const TileSet& tiles) {
-  TileSet near(ground.width(), ground.height());
-  for (const std::int32_t tile : tiles.list()) {
-    tiles.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-      near.add(ground.column(first) - 1, ground.row(first) - 1, ground.column(first) + count,
-               ground.row(first) + 1);
-    });
-  }
-  return near.list();
 }
 
 }  // namespace stope::topology

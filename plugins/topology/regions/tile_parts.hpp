@@ -11,7 +11,8 @@ namespace stope::topology {
 /// Cells of a region (or of what regions are made of) within a tile.
 struct TilePart {
   std::int32_t name = 0;
-  std::int32_t free_cells = 0;
+  std::uint16_t free_cells = 0;
+  TileSquares squares = 0;  ///< in which it has cells, free or not
 };
 
 /// Where two regions touch. `low` and `high` are the neighbouring cells, one in each, of which the
@@ -44,11 +45,14 @@ class TileParts {
   std::size_t size() const { return tiles_.size(); }
   const std::vector<TilePart>& parts(std::size_t tile) const { return tiles_[tile].parts; }
   const std::vector<Contact>& contacts(std::size_t tile) const { return tiles_[tile].contacts; }
+  /// How many free cells of a tile have no name.
+  std::int32_t nameless(std::size_t tile) const { return tiles_[tile].nameless; }
 
  private:
   struct Tile {
     std::vector<TilePart> parts;
     std::vector<Contact> contacts;
+    std::int32_t nameless = 0;
   };
   std::vector<Tile> tiles_;
 };
@@ -56,8 +60,9 @@ class TileParts {
 /// All tiles of a grid.
 std::vector<std::int32_t> all_tiles(const Ground& ground);
 
-/// The tiles whose contacts can be others after the cells of some tiles have changed: these, and
-/// those beside them.
-std::vector<std::int32_t> with_neighbours(const Ground& ground, const TileSet& tiles);
+/// The tiles whose parts and contacts can be others after cells of some squares have changed.
+inline std::vector<std::int32_t> tiles_that_see(const ChangedSquares& changed) {
+  return changed.widened(1).tiles();
+}
 
 }  // namespace stope::topology

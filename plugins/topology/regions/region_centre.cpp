@@ -1,0 +1,90 @@
+#include "plugins/topology/regions/region_centre.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stope::topology {
+namespace {
+
+/// The cell of a region nearest to a point that has most of the region's best clearance, and
+/// enough for a road if any has: a bend's centre lies beside it or at its wall, where no road can
+/// start.
+class NearestClearCell {
+ public:
+  NearestClearCell(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                   const RegionSet& set, std::int32_t region,
+                   const std::vector<std::int32_t>& tiles, const RegionRoadsRule& rule)
+      : ground_(ground),
+        names_(names),
+        set_(set),
+        region_(region),
+        least_(rule.least_distance(ground.frame().resolution)) {
+    const TileSet geometry(ground.width(), ground.height());
+    std::int32_t best = 0;
+    for (const std::int32_t tile : tiles)
+      geometry.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
+        for (CellIndex cell = first; cell < first + count; ++cell)
+          if (ground.squared(cell) > best && is_own(cell)) best = ground.squared(cell);
+      });
+    wanted_ = std::max(share_of(best, rule.centre_share),
+                       std::min(best, rule.least_squared(ground.frame().resolution)));
+  }
+
+  ShapePoint find(const ShapePoint& point, const RegionShape& shape) const {
+    const auto column = static_cast<std::int32_t>(std::lround(point.x));
+    const auto row = static_cast<std::int32_t>(std::lround(point.y));
+    if (serves(column, row)) {
+      // Beside a cell's centre the clearance is another.
+      if (ground_.distance_at(point.x + 0.5, point.y + 0.5) >= least_) return point;
+      return {static_cast<double>(column), static_cast<double>(row)};
+    }
+    std::int32_t left = shape.hull.front().x, right = left, bottom = shape.hull.front().y,
+                 top = bottom;
+    for (const HullPoint& corner : shape.hull) {
+      left = std::min(left, corner.x);
+      right = std::max(right, corner.x);
+      bottom = std::min(bottom, corner.y);
+      top = std::max(top, corner.y);
+    }
+    ShapePoint nearest{point};
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int32_t y = bottom; y <= top; ++y) {
+      for (std::int32_t x = left; x <= right; ++x) {
+        const double off = (x - point.x) * (x - point.x) + (y - point.y) * (y - point.y);
+        if (off >= least || !serves(x, y)) continue;
+        least = off;
+        nearest = {static_cast<double>(x), static_cast<double>(y)};
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  bool serves(std::int32_t column, std::int32_t row) const {
+    if (column < 0 || row < 0 || column >= ground_.width() || row >= ground_.height()) return false;
+    const CellIndex cell = ground_.index(column, row);
+    return is_own(cell) && ground_.free(cell) && ground_.squared(cell) >= wanted_;
+  }
+  bool is_own(CellIndex cell) const {
+    return set_.of(names_[cell]) == region_ && !set_.is_cut_off(names_[cell]);
+  }
+  const Ground& ground_;
+  const PaddedGrid<std::int32_t>& names_;
+  const RegionSet& set_;
+  std::int32_t region_;
+  double least_;             ///< distance from obstacles where roads can be
+  std::int32_t wanted_ = 0;  ///< squared clearance
+};
+
+}  // namespace
+
+ShapePoint centre_of_region(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                            const RegionSet& set, std::int32_t region,
+                            const std::vector<std::int32_t>& tiles, const RegionShape& shape,
+                            const RegionRoadsRule& rule) {
+  return NearestClearCell(ground, names, set, region, tiles, rule)
+      .find(centre_of_gravity(shape.hull, shape.hull.front()), shape);
+}
+
+}  // namespace stope::topology

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plugins/topology/regions/region_roads.hpp"
+#include "plugins/topology/regions/region_shape.hpp"
+
+namespace stope::topology {
+
+/// Where a region's node stands: at the centre of gravity of its convex hull or, if that is not in
+/// the region or too near its walls, the nearest cell that has enough of the region's best
+/// clearance. `tiles` are all with cells of the region.
+ShapePoint centre_of_region(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                            const RegionSet& set, std::int32_t region,
+                            const std::vector<std::int32_t>& tiles, const RegionShape& shape,
+                            const RegionRoadsRule& rule);
+
+}  // namespace stope::topology
