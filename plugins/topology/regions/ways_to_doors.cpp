@@ -1,26 +1,26 @@
 // Problem: from the centre of a region to each place where it can be left, keep to the middle.
 // Idea: the straight line, if it stays in the region and about as clear as its ends; else the way
-// of least length over clearance, by Dijkstra's algorithm over the region's cells. In a corridor,
-// straight or bent round a centre, that way is the middle line however wide the rest of the region
-// is. Cells that are too narrow are walls, so a way is missing only if there is none.
-// Cost: a region's cells times the logarithm of their number at worst, and the box around it; most
-// regions need only lines.
+// of least length over clearance, by Dijkstra's algorithm over the region's cells, with buckets for
+// a queue (Dial 1969). In a corridor, straight or bent round a centre, that way is the middle line
+// however wide the rest of the region is. Cells that are too narrow are walls, so a way is missing
+// only if there is none.
+// Cost: linear in the tiles a region has cells in at worst; most regions need only lines.
 #include "plugins/topology/regions/ways_to_doors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 
 #include "plugins/topology/tile_set.hpp"
 
 namespace stope::topology {
 namespace {
 
-constexpr float kUnreached = std::numeric_limits<float>::infinity();
+constexpr float kUnreached = std::numeric_limits<float>::infinity(), kWall = 0;
+constexpr std::int32_t kNoTile = -1;
 
 /// Share of the clearance at its ends that a straight line keeps, so that it leaves the middle of
 /// a road by little.
@@ -43,7 +43,7 @@ std::vector<std::vector<CellIndex>> WaysToDoors::find(CellIndex centre,
   }
   if (hidden.empty()) return ways;
   std::sort(hidden.begin(), hidden.end());
-  enclose(tiles);
+  spread(region_of(centre), tiles);
   search(centre, hidden);
   const auto steps = neighbour_steps(ground_.stride());
   const auto place = [&](CellIndex cell) { return static_cast<std::size_t>(place_of(cell)); };
@@ -57,19 +57,64 @@ std::vector<std::vector<CellIndex>> WaysToDoors::find(CellIndex centre,
   return ways;
 }
 
-void WaysToDoors::enclose(const std::vector<std::int32_t>& tiles) {
+void WaysToDoors::spread(std::int32_t region, const std::vector<std::int32_t>& tiles) {
+  constexpr std::int32_t kSide = TileSet::kSide;
+  const std::int32_t across = (ground_.stride() + kSide - 1) / kSide;
+  std::int32_t right = 0, top = 0;
+  left_ = bottom_ = INT32_MAX;
+  for (const std::int32_t tile : tiles) {
+    left_ = std::min(left_, tile % across), right = std::max(right, tile % across);
+    bottom_ = std::min(bottom_, tile / across), top = std::max(top, tile / across);
+  }
+  --left_, --bottom_;  // a margin of tiles without the region
+  across_ = right - left_ + 2;
+  number_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(top - bottom_ + 2),
+                 kNoTile);
+  box_place_.clear();
+  slowness_.assign(tiles.size() * kSide * kSide, kWall);
+  cost_.assign(slowness_.size(), kUnreached);
+  back_.resize(slowness_.size());
+  slowest_ = 0, quickest_ = kUnreached;
   const TileSet geometry(ground_.width(), ground_.height());
-  std::int32_t right = -2, top = -2;
-  left_ = ground_.width(), bottom_ = ground_.height();
-  for (const std::int32_t tile : tiles)
+  for (const std::int32_t tile : tiles) {
+    float* row = slowness_.data() + box_place_.size() * kSide * kSide;
+    const std::int32_t place = (tile / across - bottom_) * across_ + tile % across - left_;
+    number_[static_cast<std::size_t>(place)] = static_cast<std::int32_t>(box_place_.size());
+    box_place_.push_back(place);
     geometry.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-      left_ = std::min(left_, ground_.column(first));
-      right = std::max(right, ground_.column(first) + count - 1);
-      bottom_ = std::min(bottom_, ground_.row(first));
-      top = std::max(top, ground_.row(first));
+      std::int32_t name = 0;
+      bool own = false;
+      for (std::int32_t i = 0; i < count; ++i) {
+        const CellIndex cell = first + i;
+        if (names_[cell] != name) name = names_[cell], own = set_.of(name) == region;
+        if (!own || ground_.squared(cell) < least_) continue;
+        row[i] = 0.5F / clearance_of(ground_.squared(cell));
+        slowest_ = std::max(slowest_, row[i]);
+        quickest_ = std::min(quickest_, row[i]);
+      }
+      row += kSide;
     });
-  width_ = right - left_ + 1;
-  height_ = top - bottom_ + 1;
+  }
+}
+
+std::int32_t WaysToDoors::place_of(CellIndex cell) const {
+  constexpr std::int32_t kSide = TileSet::kSide;
+  const std::int32_t x = ground_.column(cell) + 1, y = ground_.row(cell) + 1;
+  const std::int32_t tile =
+      number_[static_cast<std::size_t>((y / kSide - bottom_) * across_ + x / kSide - left_)];
+  return (tile * kSide + y % kSide) * kSide + x % kSide;
+}
+
+/// The place beside one, or kNoTile where the region has no cell in the tile there.
+std::int32_t WaysToDoors::beside(std::int32_t place, std::int32_t dx, std::int32_t dy) const {
+  constexpr std::int32_t kSide = TileSet::kSide;
+  const std::int32_t x = place % kSide + dx, y = place / kSide % kSide + dy;
+  if (x >= 0 && y >= 0 && x < kSide && y < kSide) return place + dy * kSide + dx;
+  const auto over = [](std::int32_t at) { return at < 0 ? -1 : at >= kSide ? 1 : 0; };
+  const std::int32_t from = box_place_[static_cast<std::size_t>(place / (kSide * kSide))];
+  const std::int32_t tile = number_[static_cast<std::size_t>(from + over(y) * across_ + over(x))];
+  if (tile == kNoTile) return kNoTile;
+  return (tile * kSide + (y + kSide) % kSide) * kSide + (x + kSide) % kSide;
 }
 
 std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const {
@@ -94,37 +139,48 @@ std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const
 }
 
 void WaysToDoors::search(CellIndex centre, std::vector<CellIndex> doors) {
-  const auto steps = neighbour_steps(ground_.stride());
-  const auto places = neighbour_steps(width_);
-  const std::int32_t region = region_of(centre);
-  const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  cost_.assign(cells, kUnreached);
-  back_.resize(cells);
-  using Entry = std::pair<float, std::int32_t>;  // cost, place
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  constexpr float kDiagonal = 1.41421356F;
+  // As neighbour_steps.
+  constexpr std::array<std::int32_t, 8> kX{1, 0, -1, 0, 1, -1, -1, 1},
+      kY{0, 1, 0, -1, 1, 1, -1, -1};
+  // A step costs at least what a bucket holds, so cells in the lowest one are done, and at most
+  // what all of them do.
+  const float bucket = 2 * quickest_;
+  const auto bucket_of = [&](float cost) { return static_cast<std::size_t>(cost / bucket); };
+  const std::size_t count = bucket_of(kDiagonal * 2 * slowest_) + 8;
+  std::vector<std::vector<std::int32_t>> buckets(count);
   cost_[static_cast<std::size_t>(place_of(centre))] = 0;
-  open.push({0.0F, place_of(centre)});
-  std::size_t left =
-      static_cast<std::size_t>(std::unique(doors.begin(), doors.end()) - doors.begin());
-  doors.resize(left);
-  while (!open.empty() && left > 0) {
-    const auto [cost, place] = open.top();
-    open.pop();
-    if (cost > cost_[static_cast<std::size_t>(place)]) continue;
-    const CellIndex cell = cell_at(place);
-    if (std::binary_search(doors.begin(), doors.end(), cell)) --left;
-    const float slowness = 0.5F / clearance_of(ground_.squared(cell));
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      const CellIndex next = cell + steps[i];
-      if (region_of(next) != region || ground_.squared(next) < least_) continue;
-      const auto there = static_cast<std::size_t>(place + places[i]);
-      const float length = i < 4 ? 1.0F : 1.41421356F;
-      const float total = cost + length * (slowness + 0.5F / clearance_of(ground_.squared(next)));
-      if (total >= cost_[there]) continue;
-      cost_[there] = total;
-      back_[there] = static_cast<std::uint8_t>(i);
-      open.push({total, static_cast<std::int32_t>(there)});
+  buckets[0].push_back(place_of(centre));
+  doors.erase(std::unique(doors.begin(), doors.end()), doors.end());
+  std::size_t waiting = 1;
+  for (std::size_t at = 0; waiting > 0 && !doors.empty(); ++at) {
+    std::vector<std::int32_t>& now = buckets[at % count];
+    for (std::size_t k = 0; k < now.size(); ++k) {  // rounding may add one to it meanwhile
+      const std::int32_t place = now[k];
+      const float cost = cost_[static_cast<std::size_t>(place)];
+      if (bucket_of(cost) != at) continue;  // a better way to it was found since
+      const float own = slowness_[static_cast<std::size_t>(place)];
+      for (std::size_t i = 0; i < 8; ++i) {
+        const std::int32_t next = beside(place, kX[i], kY[i]);
+        if (next == kNoTile) continue;
+        const auto there = static_cast<std::size_t>(next);
+        if (slowness_[there] == kWall) continue;
+        const float total = cost + (i < 4 ? 1.0F : kDiagonal) * (own + slowness_[there]);
+        // Of equally good ways the one that is kept does not depend on which is found first.
+        if (total > cost_[there] || (total == cost_[there] && i >= back_[there])) continue;
+        back_[there] = static_cast<std::uint8_t>(i);
+        if (total == cost_[there]) continue;
+        cost_[there] = total;
+        buckets[bucket_of(total) % count].push_back(next);
+        ++waiting;
+      }
     }
+    waiting -= now.size();
+    now.clear();
+    std::erase_if(doors, [&](CellIndex door) {
+      const float cost = cost_[static_cast<std::size_t>(place_of(door))];
+      return cost != kUnreached && bucket_of(cost) <= at;
+    });
   }
 }
 

@@ -23,23 +23,23 @@ class WaysToDoors {
   std::int32_t region_of(CellIndex cell) const { return set_.of(names_[cell]); }
   std::vector<CellIndex> straight(CellIndex from, CellIndex to) const;
   void search(CellIndex centre, std::vector<CellIndex> doors);
-  void enclose(const std::vector<std::int32_t>& tiles);
-  std::int32_t place_of(CellIndex cell) const {
-    return (ground_.row(cell) - bottom_) * width_ + ground_.column(cell) - left_;
-  }
-  CellIndex cell_at(std::int32_t place) const {
-    return ground_.index(left_ + place % width_, bottom_ + place / width_);
-  }
+  void spread(std::int32_t region, const std::vector<std::int32_t>& tiles);
+  std::int32_t place_of(CellIndex cell) const;
+  std::int32_t beside(std::int32_t place, std::int32_t dx, std::int32_t dy) const;
 
   const Ground& ground_;
   const PaddedGrid<std::int32_t>& names_;
   const RegionSet& set_;
   std::int32_t least_;
-  // The box around the region's tiles, and by place in it, in the order of cells: what the way from
-  // the centre costs, and the step by which it comes.
-  std::int32_t left_ = 0, bottom_ = 0, width_ = 0, height_ = 0;
-  std::vector<float> cost_;
+  // The region's tiles one after the other, and in each its cells, row after row, have places: for
+  // each, what half a step through the cell costs, or that it is a wall; what the way from the
+  // centre costs, and the step by which it comes.
+  std::vector<float> slowness_, cost_;
   std::vector<std::uint8_t> back_;
+  float slowest_ = 0, quickest_ = 0;
+  // In the box of tiles around them, which has a margin: which of them a tile is, and back.
+  std::int32_t left_ = 0, bottom_ = 0, across_ = 0;
+  std::vector<std::int32_t> number_, box_place_;
 };
 
 }  // namespace stope::topology
