@@ -9,12 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "plugins/topology/disjoint_sets.hpp"
 #include "plugins/topology/regions/borders.hpp"
+#include "plugins/topology/regions/join_small.hpp"
 
 namespace stope::topology {
 namespace {
@@ -51,84 +50,6 @@ class JoinedBasins {
   const std::vector<CellIndex>& peaks_;
   std::vector<std::int32_t> parent_;
 };
-
-/// How two rooms touch.
-struct Opening {
-  std::int64_t steps = 0;  ///< pairs of cells
-  bool wide = false;       ///< has a place wide enough for a way
-};
-
-/// Rooms too small to be any join the neighbour they are most open to, one to which there is a way
-/// if there is: the region each becomes. Notes the names of those that no way joins.
-std::vector<std::int32_t> join_small(RegionSet& set, const TileParts& tiles,
-                                     const std::vector<Contact>& contacts, const DoorRule& rule) {
-  const auto count = static_cast<std::size_t>(set.count) + 1;
-  std::vector<std::int64_t> area(count, 0);
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
-    for (const TilePart& part : tiles.parts(tile))
-      area[static_cast<std::size_t>(set.of(part.name))] += part.free_cells;
-  std::vector<std::map<std::int32_t, Opening>> open(count);
-  for (const Border& border : find_borders(contacts, set)) {
-    const Opening opening{border.steps, border.squared >= rule.least_squared};
-    open[static_cast<std::size_t>(border.a)][border.b] = opening;
-    open[static_cast<std::size_t>(border.b)][border.a] = opening;
-  }
-  std::vector<std::int32_t> now(count);
-  std::vector<std::uint8_t> cut_off(count, 0);
-  std::vector<std::pair<std::int64_t, std::int32_t>> order;
-  for (std::size_t i = 0; i < count; ++i) {
-    now[i] = static_cast<std::int32_t>(i);
-    if (i > 0 && static_cast<double>(area[i]) < rule.least_area)
-      order.emplace_back(area[i], now[i]);
-  }
-  std::sort(order.begin(), order.end());
-  const auto find = [&](std::int32_t region) {
-    while (now[static_cast<std::size_t>(region)] != region)
-      region = now[static_cast<std::size_t>(region)];
-    return region;
-  };
-  for (const auto& [cells, region] : order) {
-    const auto own = static_cast<std::size_t>(region);
-    if (find(region) != region || static_cast<double>(area[own]) >= rule.least_area) continue;
-    std::int32_t target = 0;
-    Opening widest;
-    for (const auto& [other, opening] : open[own])
-      if (std::tie(opening.wide, opening.steps) > std::tie(widest.wide, widest.steps))
-        target = other, widest = opening;
-    if (target == 0) continue;
-    if (!widest.wide) cut_off[own] = 1;
-    const auto to = static_cast<std::size_t>(target);
-    now[own] = target;
-    area[to] += area[own];
-    for (const auto& [other, opening] : open[own]) {
-      const auto there = static_cast<std::size_t>(other);
-      open[there].erase(region);
-      if (other == target) continue;
-      for (Opening* joined : {&open[to][other], &open[there][target]}) {
-        joined->steps += opening.steps;
-        joined->wide |= opening.wide;
-      }
-    }
-    open[own].clear();
-  }
-  set.cut_off.assign(set.of_name.size(), 0);
-  for (std::size_t name = 0; name < set.of_name.size(); ++name)
-    for (std::int32_t at = set.of_name[name]; at != now[static_cast<std::size_t>(at)];
-         at = now[static_cast<std::size_t>(at)])
-      set.cut_off[name] |= cut_off[static_cast<std::size_t>(at)];
-  for (std::size_t i = 1; i < count; ++i) now[i] = find(static_cast<std::int32_t>(i));
-  return now;
-}
-
-/// The same regions with other numbers: `now` has the one that each has become a part of.
-void renumber(RegionSet& set, const std::vector<std::int32_t>& now) {
-  std::vector<std::int32_t> number(now.size(), 0);
-  set.count = 0;
-  for (std::size_t i = 1; i < now.size(); ++i)
-    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++set.count;
-  for (std::int32_t& region : set.of_name)
-    region = number[static_cast<std::size_t>(now[static_cast<std::size_t>(region)])];
-}
 
 /// Hubs that are open to each other become one: the region each becomes.
 std::vector<std::int32_t> join_hubs(const Ground& ground, const RegionSet& set,
@@ -191,7 +112,7 @@ RegionSet join_at_doors(const Ground& ground, const Basins& basins, const TilePa
     if (peaks[i] != 0)
       set.of_name[i] =
           set.of_name[static_cast<std::size_t>(joined.find(static_cast<std::int32_t>(i)))];
-  renumber(set, join_small(set, tiles, contacts, rule));
+  join_small(set, tiles, contacts, rule.least_area, rule.least_squared);
   if (rule.hub_ratio < 1) renumber(set, join_hubs(ground, set, contacts, rule));
   return set;
 }

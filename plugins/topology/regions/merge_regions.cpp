@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "plugins/topology/regions/join_small.hpp"
 #include "plugins/topology/regions/network.hpp"
 #include "plugins/topology/regions/visit_convex.hpp"
 
@@ -175,13 +176,7 @@ void merge_regions(const Ground& ground, const RegionCells& names,
                    RegionSet& set, const MergeRule& rule, const Checkpoint& checkpoint) {
   Merging merging(ground, names, shapes, contacts, set, rule);
   merging.run(checkpoint);
-  const std::vector<std::int32_t>& now = merging.now();
-  std::vector<std::int32_t> number(now.size(), 0);
-  set.count = 0;
-  for (std::size_t i = 1; i < now.size(); ++i)
-    if (now[i] == static_cast<std::int32_t>(i)) number[i] = ++set.count;
-  for (std::int32_t& region : set.of_name)
-    region = number[static_cast<std::size_t>(now[static_cast<std::size_t>(region)])];
+  renumber(set, merging.now());
 }
 
 }  // namespace stope::topology

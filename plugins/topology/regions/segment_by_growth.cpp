@@ -143,9 +143,9 @@ RegionsAndRoads grow_and_finish(const Ground& ground, const std::vector<CellInde
   update_shapes(ground, names, set, *memory.tiles, moved ? &*moved : nullptr, memory.shapes,
                 checkpoint);
   merge_regions(ground, names, memory.shapes, contacts, set, merge_rule(params, frame), checkpoint);
-  return finish_regions(ground, names, *memory.tiles, contacts, set,
-                        params.min_region_area / (frame.resolution * frame.resolution), roads,
-                        checkpoint, &memory.memo, moved ? &moved->squares() : nullptr);
+  const double least_area = params.min_region_area / (frame.resolution * frame.resolution);
+  return finish_regions(ground, names, *memory.tiles, contacts, set, least_area, roads, checkpoint,
+                        &memory.memo, moved ? &moved->squares() : nullptr);
 }
 
 /// `mode: paper`, up to the labels.
