@@ -28,7 +28,9 @@ class Regrowing {
         moved_(moved),
         reach_(static_cast<std::int32_t>(std::ceil(rule.max_radius)) + 1),
         has_grown_(static_cast<std::size_t>(grown.names_given) + 1, 0),
-        following_(ground.width(), ground.height()) {
+        following_(ground.width(), ground.height()),
+        in_reach_(ground.width(), ground.height()),
+        tiles_across_((ground.stride() + TileSet::kSide - 1) / TileSet::kSide) {
     grown_.list.clear();
     grown_.list.reserve(old_.size() + old_.size() / 8);
     // Here cells may have become free or obstacles, which put_back could not tell later.
@@ -66,7 +68,10 @@ class Regrowing {
     const bool was =
         next_ < old_.size() && old_[next_].round == round && old_[next_].point == point;
     const std::int32_t read = static_cast<std::int32_t>(room) + 1;
-    if (!changed_near(point, read) && !(was && changed_near(point, old_[next_].growth.scanned))) {
+    const bool unchanged =
+        !may_read_changes(point) ||
+        !(changed_near(point, read) || (was && changed_near(point, old_[next_].growth.scanned)));
+    if (unchanged) {
       if (!was) return;
       keep(std::move(old_[next_++]));
       ++as_they_were_;
@@ -89,6 +94,19 @@ class Regrowing {
       for (const CellIndex cell : region.growth.cells) note_change(cell);
       take_cells(region);
     }
+  }
+
+  /// Quick to ask of the many points that are far from all changes.
+  bool may_read_changes(const GrowthPoint& point) {
+    constexpr std::int32_t kSide = TileSet::kSide, kFar = 16 * kSide;
+    if (reach_ > kFar) return true;  // or there would be many tiles in reach of each
+    for (; seen_ < changed_.tiles().size(); ++seen_) {
+      const std::int32_t tile = changed_.tiles()[seen_];
+      const std::int32_t left = tile % tiles_across_ * kSide - 1 - reach_;
+      const std::int32_t bottom = tile / tiles_across_ * kSide - 1 - reach_;
+      in_reach_.add(left, bottom, left + kSide - 1 + 2 * reach_, bottom + kSide - 1 + 2 * reach_);
+    }
+    return in_reach_.has((point.row + 1) / kSide * tiles_across_ + (point.column + 1) / kSide);
   }
 
   /// One that is as it was. Where tiles are not followed its cells are taken already.
@@ -175,6 +193,9 @@ class Regrowing {
   std::int32_t reach_;                   ///< of a growth
   std::vector<std::uint8_t> has_grown_;  ///< by name of an old region: its turn came, and it stayed
   TileSet following_;
+  TileSet in_reach_;  ///< of the first `seen_` changed tiles
+  std::int32_t tiles_across_;
+  std::size_t seen_ = 0;
   std::vector<std::int32_t> gone_;  ///< names
   std::size_t next_ = 0, as_they_were_ = 0;
 };

@@ -82,7 +82,7 @@ RegionsAndRoads RoomDivider::full(const OccupancyGrid& grid, bool keep,
   RegionsAndRoads result = finish(*state, nullptr, checkpoint);
   if (keep) {
     write_labels(grid.frame, state->basins.cells(), state->tiles, result.label_of_name,
-                 result.map.labels, checkpoint);
+                 result.map.labels, checkpoint, &state->ground);
     state_ = std::move(state);
   } else {  // a large map's labels take the place of what is not needed any more
     const PaddedGrid<std::int32_t> names = std::move(state->basins).take_cells();
@@ -102,7 +102,7 @@ RegionsAndRoads RoomDivider::update(const OccupancyGrid& grid, const CellWindow&
   if (!state->update(grid, window, changed, checkpoint)) return full(grid, true, checkpoint);
   RegionsAndRoads result = finish(*state, &changed, checkpoint);
   write_labels(grid.frame, state->basins.cells(), state->tiles, result.label_of_name,
-               result.map.labels, checkpoint);
+               result.map.labels, checkpoint, &state->ground);
   state_ = std::move(state);
   return result;
 }

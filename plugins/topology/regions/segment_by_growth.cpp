@@ -229,7 +229,7 @@ RegionsAndRoads segment_by_growth(const Ground& ground, const std::vector<CellIn
   RegionsAndRoads result =
       grow_and_finish(ground, visited, params, roads, true, memory, change, checkpoint);
   write_labels(ground.frame(), memory.grown->names, *memory.tiles, result.label_of_name,
-               result.map.labels, checkpoint);
+               result.map.labels, checkpoint, &ground);
   return result;
 }
 
