@@ -17,7 +17,7 @@ constexpr std::uint8_t kFound = 2;  // beside an open cell's 1
 class Waves {
  public:
   Waves(const Ground& ground, GrownRegions& grown)
-      : ground_(ground), grown_(grown), steps_(neighbour_steps(ground.stride())) {}
+      : grown_(grown), steps_(neighbour_steps(ground.stride())) {}
 
   /// To be called for cells that have grown, in increasing order.
   void start_from(CellIndex cell) {
@@ -44,7 +44,6 @@ class Waves {
  private:
   bool wanted(CellIndex cell) const { return grown_.open[cell] && grown_.names[cell] == 0; }
 
-  const Ground& ground_;
   GrownRegions& grown_;
   std::array<CellIndex, 8> steps_;
   std::vector<std::pair<CellIndex, std::int32_t>> next_;  ///< cell, region that takes it

@@ -81,14 +81,13 @@ RegionsAndRoads RoomDivider::full(const OccupancyGrid& grid, bool keep,
   auto state = std::make_unique<State>(grid, extraction_, keep, checkpoint);
   RegionsAndRoads result = finish(*state, nullptr, checkpoint);
   if (keep) {
-    write_labels(grid.frame, state->basins.cells(), state->tiles, result.label_of_name,
-                 result.map.labels, checkpoint, &state->ground);
+    write_labels(grid.frame, state->basins.cells(), result.label_of_name, result.map.labels,
+                 checkpoint);
     state_ = std::move(state);
   } else {  // a large map's labels take the place of what is not needed any more
     const PaddedGrid<std::int32_t> names = std::move(state->basins).take_cells();
-    const TileParts tiles = std::move(state->tiles);
     state.reset();
-    write_labels(grid.frame, names, tiles, result.label_of_name, result.map.labels, checkpoint);
+    write_labels(grid.frame, names, result.label_of_name, result.map.labels, checkpoint);
   }
   return result;
 }
@@ -101,8 +100,8 @@ RegionsAndRoads RoomDivider::update(const OccupancyGrid& grid, const CellWindow&
   ChangedSquares changed(state->ground.width(), state->ground.height());
   if (!state->update(grid, window, changed, checkpoint)) return full(grid, true, checkpoint);
   RegionsAndRoads result = finish(*state, &changed, checkpoint);
-  write_labels(grid.frame, state->basins.cells(), state->tiles, result.label_of_name,
-               result.map.labels, checkpoint, &state->ground);
+  write_labels(grid.frame, state->basins.cells(), result.label_of_name, result.map.labels,
+               checkpoint);
   state_ = std::move(state);
   return result;
 }

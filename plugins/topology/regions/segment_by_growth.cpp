@@ -151,7 +151,7 @@ RegionsAndRoads grow_and_finish(const Ground& ground, const std::vector<CellInde
 /// `mode: paper`, up to the labels.
 RegionsAndRoads segment_as_printed(const Ground& ground, std::vector<CellIndex> visited,
                                    const GrowingParams& params, RegionRoadsRule roads,
-                                   Random random, RegionCells& names, TileParts& tiles,
+                                   Random random, RegionCells& names,
                                    const Checkpoint& checkpoint) {
   const GridFrame& frame = ground.frame();
   visited = sorted(std::move(visited));
@@ -165,6 +165,7 @@ RegionsAndRoads segment_as_printed(const Ground& ground, std::vector<CellIndex> 
   }
   set.in_one_piece = false;
   roads.network = Network::kSpanningTree;
+  TileParts tiles(ground.width(), ground.height());
   tiles.look_at(ground, names, all_tiles(ground), checkpoint);
   const std::vector<Contact> contacts = all_contacts(tiles);
   std::vector<RegionShape> shapes;
@@ -204,18 +205,16 @@ RegionsAndRoads segment_by_growth(Ground&& ground, const std::vector<CellIndex>&
   const GridFrame frame = ground.frame();
   check(params, frame);
   RegionCells names(0, 0);
-  TileParts tiles(ground.width(), ground.height());
   RegionsAndRoads result;
   if (params.as_printed) {
-    result = segment_as_printed(ground, visited, params, roads, random, names, tiles, checkpoint);
+    result = segment_as_printed(ground, visited, params, roads, random, names, checkpoint);
   } else {
     GrowthMemory memory;
     result = grow_and_finish(ground, visited, params, roads, false, memory, nullptr, checkpoint);
     names = std::move(memory.grown->names);
-    tiles = std::move(*memory.tiles);
   }
   { const Ground gone = std::move(ground); }
-  write_labels(frame, names, tiles, result.label_of_name, result.map.labels, checkpoint);
+  write_labels(frame, names, result.label_of_name, result.map.labels, checkpoint);
   return result;
 }
 
@@ -228,8 +227,8 @@ RegionsAndRoads segment_by_growth(const Ground& ground, const std::vector<CellIn
   memory.reused = 0;
   RegionsAndRoads result =
       grow_and_finish(ground, visited, params, roads, true, memory, change, checkpoint);
-  write_labels(ground.frame(), memory.grown->names, *memory.tiles, result.label_of_name,
-               result.map.labels, checkpoint, &ground);
+  write_labels(ground.frame(), memory.grown->names, result.label_of_name, result.map.labels,
+               checkpoint);
   return result;
 }
 

@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "plugins/topology/regions/tile_parts.hpp"
+#include "plugins/topology/checkpoint.hpp"
+#include "plugins/topology/padded_grid.hpp"
 #include "stope/payloads/label_grid.hpp"
 
 namespace stope::topology {
 
-/// The label of each cell's name; `tiles` are of these names. With the ground, if it is still there
-/// and only free cells have names, fewer of them are read.
+/// The label of each cell's name. Cost: three quarters of it are for the payload's fresh memory.
 void write_labels(const GridFrame& frame, const PaddedGrid<std::int32_t>& names,
-                  const TileParts& tiles, const std::vector<std::int32_t>& label_of_name,
-                  LabelGrid& labels, const Checkpoint& checkpoint, const Ground* ground = nullptr);
+                  const std::vector<std::int32_t>& label_of_name, LabelGrid& labels,
+                  const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

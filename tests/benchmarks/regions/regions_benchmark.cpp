@@ -135,8 +135,8 @@ void time_changes(const std::string& name, OccupancyGrid grid) {
     });
     timed(labels, [&] {
       LabelGrid again;
-      topology::write_labels(grid.frame, memory.grown->names, *memory.tiles, grown.label_of_name,
-                             again, topology::never_stop, &ground);
+      topology::write_labels(grid.frame, memory.grown->names, grown.label_of_name, again,
+                             topology::never_stop);
       return again;
     });
     if (i % 3 != 0) continue;
