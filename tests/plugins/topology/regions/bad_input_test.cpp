@@ -122,6 +122,32 @@ bool says(StageHarness& stage, const std::string& part) {
   });
 }
 
+TEST(RegionStages, OneRegionIsSpokenOfAsOne) {
+  for (const StageEntry* entry : region_stages()) {
+    StageHarness stage = for_rooms(entry);
+    stage.set("allow_empty", true).input("grid", grid_of({"###", "#.#", "###"}, 0.1));
+    stage.apply<RegionMap>(1);
+    EXPECT_TRUE(says(stage, "1 region covers 1.0000 of the free cells"));
+  }
+}
+
+TEST(RegionGrowing, NetworksThatAreApartAreNotSaidToHaveNoWayBetweenThem) {
+  // There may be one, behind a place too narrow in a region of its own.
+  std::size_t apart = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    OccupancyGrid grid = random_grid(90, 70, 0.86, 7, seed);
+    grid.frame.resolution = 0.1;
+    StageHarness stage = for_rooms(stope_stage_RegionGrowing());
+    stage.set("allow_empty", true).set("min_clearance", 0.25).set("min_obstacle_area", 0.0);
+    stage.input("grid", grid).apply<RoadGraph>(0);
+    EXPECT_FALSE(says(stage, "no way wider"));
+    if (!says(stage, "networks of their own")) continue;
+    ++apart;
+    EXPECT_TRUE(says(stage, "hang together only where it is narrower"));
+  }
+  EXPECT_GT(apart, 2U);
+}
+
 TEST(RegionGrowing, GapsBetweenRegionsAreNotBlamedOnFreeSpace) {
   // What grows from one pose ends a metre on; free space is one piece, or two.
   for (const bool wall : {false, true}) {
