@@ -33,6 +33,18 @@ double seconds(const timeval& time) {
   ::_exit(127);
 }
 
+/// Of all threads of a process that has not been waited for.
+double processor_seconds(pid_t child) {
+  const std::string stat = text_of("/proc/" + std::to_string(child) + "/stat");
+  // The name of the program, in brackets, may hold blanks.
+  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
+  std::string skipped;
+  for (int i = 0; i < 11; ++i) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
 bool runs(pid_t child) {
   siginfo_t ended{};
   ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
@@ -50,8 +62,7 @@ MeasuredProcess run_stope(const std::vector<std::string>& arguments,
   int status = 0;
   rusage used{};
   if (kill_after) {
-    const auto end = begin + std::chrono::duration<double>(*kill_after);
-    while (Clock::now() < end && runs(child))
+    while (runs(child) && processor_seconds(child) < *kill_after)
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     ::kill(child, SIGKILL);
   }

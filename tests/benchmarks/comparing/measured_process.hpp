@@ -14,8 +14,9 @@ struct MeasuredProcess {
   double processor = 0;  ///< seconds of all its threads, also if it was killed
 };
 
-/// Runs `stope arguments…`, silently. `kill_after`: seconds after which it is killed, as by a power
-/// cut, if it still runs.
+/// Runs `stope arguments…`, silently. `kill_after`: seconds of processor time after which it is
+/// killed, as by a power cut, if it still runs. That is how far it has got, however busy the
+/// machine is.
 MeasuredProcess run_stope(const std::vector<std::string>& arguments,
                           std::optional<double> kill_after = {});
 
