@@ -7,6 +7,9 @@
 
 namespace stope::topology {
 
+/// So many names from a multiple of it on were given at once: all at first, or after one change.
+constexpr std::int32_t kNamesOfBlock = 32;
+
 /// Outlines that can change while millions of cells refer to their edges. An edge keeps its *name*
 /// as long as it exists; its *number* tells where along its outline it is. Outlines keep their
 /// places in the lists and their edges' numbers while they do not change; a place whose outline is

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plugins/topology/dividing_lines.hpp"
+#include "plugins/topology/named_outlines.hpp"
 #include "plugins/topology/tile_set.hpp"
 
 namespace stope::topology {
@@ -36,12 +37,14 @@ class SeenFrom {
   }
 
   /// Whether two edges share a box.
-  static bool together(OutlineEdge a, OutlineEdge b) { return a / kEdges == b / kEdges; }
+  static bool together(OutlineEdge a, OutlineEdge b) {
+    return a / kNamesOfBlock == b / kNamesOfBlock;
+  }
 
   /// Neighbouring cells of a row whose edges are of the same 32; those of the first and the last.
   void add(const Outlines& outlines, OutlineEdge first, OutlineEdge last, std::int32_t left,
            std::int32_t right, std::int32_t row) {
-    const auto block = static_cast<std::size_t>(first / kEdges);
+    const auto block = static_cast<std::size_t>(first / kNamesOfBlock);
     if (block >= boxes_.size()) boxes_.resize(block + 1);
     Box& box = boxes_[block];
     box.left = std::min(box.left, left), box.right = std::max(box.right, right);
@@ -67,7 +70,8 @@ class SeenFrom {
     for (const OutlineEdge edge : edges) {
       const Outlines::Place place = outlines.place[static_cast<std::size_t>(edge)];
       tiles.add(place.column - 1, place.row - 1, place.column + 1, place.row + 1);
-      if (blocks.empty() || blocks.back() != edge / kEdges) blocks.push_back(edge / kEdges);
+      if (blocks.empty() || blocks.back() != edge / kNamesOfBlock)
+        blocks.push_back(edge / kNamesOfBlock);
     }
     std::sort(blocks.begin(), blocks.end());
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
@@ -81,13 +85,12 @@ class SeenFrom {
 
   /// From how far away an edge, or any edge, is seen at most, in cells.
   double farthest(OutlineEdge edge) const {
-    const auto block = static_cast<std::size_t>(edge / kEdges);
+    const auto block = static_cast<std::size_t>(edge / kNamesOfBlock);
     return block < boxes_.size() ? static_cast<double>(boxes_[block].farthest) : 0.0;
   }
   double farthest() const { return static_cast<double>(farthest_); }
 
  private:
-  static constexpr std::int32_t kEdges = 32;
   struct Box {
     std::int32_t left = INT32_MAX, bottom = INT32_MAX, right = INT32_MIN, top = INT32_MIN;
     float farthest = 0;

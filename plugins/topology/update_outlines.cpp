@@ -59,7 +59,6 @@ class OutlineUpdate {
   struct Local {
     CellIndex cell;
     int side;
-    OutlineEdge name;
   };
 
   template <class Visit>
@@ -106,19 +105,27 @@ class OutlineUpdate {
           name = -1;
           continue;
         }
-        if (name < 0) name = new_name({column, row}, side);
-        locals_.push_back({cell, side, name});
-        named_.of_edge[at(name)] = kUnvisited;
+        if (name < 0)
+          name = kUnnamed;
+        else
+          named_.of_edge[at(name)] = kUnvisited;
+        locals_.push_back({cell, side});
       }
       if (!wanted) space_[cell] &= static_cast<std::uint8_t>(~kOnOutline);
     });
   }
   OutlineEdge new_name(Outlines::Place place, int side) {
-    named_.place.push_back(place);
-    named_.of_edge.push_back(kUnvisited);
-    outlines_.number.push_back(-1);
-    outlines_.side.push_back(static_cast<std::uint8_t>(side));
+    add_names(1);
+    named_.place.back() = place;
+    outlines_.side.back() = static_cast<std::uint8_t>(side);
     return static_cast<OutlineEdge>(named_.place.size()) - 1;
+  }
+  void add_names(std::size_t count) {
+    const std::size_t size = named_.place.size() + count;
+    named_.place.resize(size);
+    named_.of_edge.resize(size, -1);
+    outlines_.number.resize(size, -1);
+    outlines_.side.resize(size, 0);
   }
 
   void make_chains() {
@@ -145,8 +152,12 @@ class OutlineUpdate {
   }
 
   void walk_all() {
+    // Blocks of names are looked up by where they are seen from: let them be of one change.
+    const std::size_t past = named_.place.size() % kNamesOfBlock;
+    if (past > 0) add_names(kNamesOfBlock - past);
     for (const Local& local : locals_) {
-      if (named_.of_edge[at(local.name)] == kUnvisited) walk(local);
+      const OutlineEdge name = sides_of(local.cell)[at(local.side)];
+      if (name == kUnnamed || named_.of_edge[at(name)] == kUnvisited) walk(local);
     }
   }
 
@@ -155,7 +166,9 @@ class OutlineUpdate {
     CellIndex cell = first.cell;
     int side = first.side;
     do {
-      const OutlineEdge name = sides_of(cell)[at(side)];
+      OutlineEdge& name = sides_of(cell)[at(side)];
+      // Edges side by side get names side by side.
+      if (name == kUnnamed) name = new_name({space_.column(cell), space_.row(cell)}, side);
       ring.breaks.push_back(static_cast<std::int32_t>(ring.names.size()));
       ring.names.push_back(name);
       named_.of_edge[at(name)] = kVisited;
@@ -317,7 +330,8 @@ class OutlineUpdate {
   }
 
   static constexpr std::size_t kFewNumbers = 100000;
-  static constexpr std::int32_t kUnvisited = -2, kVisited = -3;
+  static constexpr std::int32_t kUnvisited = -2, kVisited = -3;  ///< as an outline
+  static constexpr OutlineEdge kUnnamed = -2;
 
   NamedOutlines& outlines_;
   Outlines& named_;
