@@ -70,6 +70,33 @@ double DistanceField::at(const LinePoint& place, std::int32_t reach) const {
   return least < 0 ? place.distance : std::sqrt(least);
 }
 
+CellIndex DistanceField::cell_at(const LinePoint& place) const {
+  const auto column = static_cast<std::int32_t>(std::floor(place.x));
+  const auto row = static_cast<std::int32_t>(std::floor(place.y));
+  return space_.index(std::clamp(column, 0, space_.width() - 1),
+                      std::clamp(row, 0, space_.height() - 1));
+}
+
+void DistanceField::estimate(std::vector<LinePoint>& line) const {
+  // A line leads through memory that nobody has looked at for long, so it is asked for in advance.
+  constexpr std::size_t kAhead = 8;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i + 2 * kAhead < line.size()) {
+      const CellIndex cell = cell_at(line[i + 2 * kAhead]);
+      for (const CellIndex row : {-space_.stride(), 0, space_.stride()}) {
+        __builtin_prefetch(&edges_[cell + row]);
+        __builtin_prefetch(&space_[cell + row]);
+      }
+    }
+    if (i + kAhead < line.size()) {
+      const CellIndex cell = cell_at(line[i + kAhead]);
+      if (!(space_[cell] & kObstacle))
+        __builtin_prefetch(&outlines_.place[static_cast<std::size_t>(edges_[cell])]);
+    }
+    line[i].distance = at(line[i], 1);
+  }
+}
+
 DistanceField::Surroundings DistanceField::look_around(const LinePoint& place) const {
   Surroundings around;
   for_each_site(place, kReach, [&](std::int32_t x, std::int32_t y, const Outlines::Place& site) {

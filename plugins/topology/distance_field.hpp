@@ -20,6 +20,9 @@ class DistanceField {
   /// cells for a reach of 1.
   double at(const LinePoint& place, std::int32_t reach) const;
 
+  /// The same, with a reach of 1, of all points of a line.
+  void estimate(std::vector<LinePoint>& line) const;
+
   /// Gives the points of a line their distances, and the line another point where it is nearest to
   /// an obstacle, if that is between two of them: no place of the line is nearer to one, but for
   /// 1e-6 cells. `looked_at`, if given, is told what that depends on. Cost: a few steps a row of
@@ -46,6 +49,7 @@ class DistanceField {
   };
   template <class Visit>
   void for_each_site(const LinePoint& place, std::int32_t reach, Visit visit) const;
+  CellIndex cell_at(const LinePoint& place) const;
   Surroundings look_around(const LinePoint& place) const;
   bool probe(std::int32_t column, std::int32_t row, LookedAt* looked_at) const;
   double exactly_at(const LinePoint& place, LookedAt* looked_at) const;

@@ -4,6 +4,7 @@
 
 #include "plugins/topology/nearest_outline.hpp"
 #include "plugins/topology/outline_shape.hpp"
+#include "plugins/topology/outline_turns.hpp"
 
 namespace stope::topology {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 namespace stope::topology {
 namespace {
@@ -64,16 +65,20 @@ DividingRule::DividingRule(const ExtractionMethod& method, const GridFrame& fram
       residual_(skeleton_cells(method, frame)),
       turn_rule_{method.parts.corner_angle, method.parts.part_length / frame.resolution},
       rule_(rule_of(method, frame, outlines, ways_, turns_)) {
-  std::vector<std::int32_t> all(outlines.list.size());
-  std::iota(all.begin(), all.end(), 0);
+  OutlineChange all;
+  all.outlines.resize(outlines.list.size());
+  std::iota(all.outlines.begin(), all.outlines.end(), 0);
   renew(all, sides);
 }
 
-void DividingRule::renew(const std::vector<std::int32_t>& places,
-                         const std::vector<std::uint8_t>& sides) {
-  for (const std::int32_t place : places) {
+void DividingRule::renew(const OutlineChange& change, const std::vector<std::uint8_t>& sides) {
+  std::span<const StayedRun> runs = change.runs;  // outline by outline, as `outlines` are
+  for (const std::int32_t place : change.outlines) {
+    std::size_t own = 0;
+    while (own < runs.size() && runs[own].outline == place) ++own;
     if (by_residual_) measure_way(outlines_, sides, place, ways_);
-    if (by_turns_) find_turns(outlines_, sides, place, turn_rule_, turns_);
+    if (by_turns_) find_turns(outlines_, sides, place, runs.first(own), turn_rule_, turns_);
+    runs = runs.subspan(own);
   }
 }
 

@@ -45,8 +45,8 @@ class DividingRule {
   DividingRule(const DividingRule&) = delete;
   DividingRule& operator=(const DividingRule&) = delete;
 
-  /// Measures the outlines at these places of the list anew.
-  void renew(const std::vector<std::int32_t>& places, const std::vector<std::uint8_t>& sides);
+  /// Measures outlines that have changed anew.
+  void renew(const OutlineChange& change, const std::vector<std::uint8_t>& sides);
 
   const SideRule& rule() const { return rule_; }
   const OutlineWays& ways() const { return ways_; }     ///< of a skeleton by residual

@@ -76,7 +76,7 @@ class FeltEdges {
       }
       std::vector<std::int32_t> turns{-1};
       for (std::int32_t i = reach; i < run.count - reach; ++i)
-        if (turning(rule, run, i)) turns.push_back(i);
+        if (rule.turns().turning[at(number(run, i))]) turns.push_back(i);
       turns.push_back(run.count);
       const std::int32_t half = std::min(run.old_outline_count, count_of(run.outline)) / 2;
       for (std::size_t i = 1; i < turns.size(); ++i) {
@@ -125,14 +125,6 @@ class FeltEdges {
   }
   bool is_small(const StayedRun& run, std::int32_t least) const {
     return run.old_outline_count < least || count_of(run.outline) < least;
-  }
-  bool turning(const DividingRule& rule, const StayedRun& run, std::int32_t i) const {
-    const Outline& whole = outlines_.by_number.list[at(run.outline)];
-    const OutlineEdge edge = number(run, i);
-    const std::int32_t behind = edge + 1 < whole.first + whole.count
-                                    ? rule.turns().before[at(edge + 1)]
-                                    : rule.turns().whole[at(run.outline)];
-    return behind > rule.turns().before[at(edge)];
   }
 
   const NamedOutlines& outlines_;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "plugins/topology/column_reach.hpp"
+#include "plugins/topology/number_ranges.hpp"
 #include "plugins/topology/outlines.hpp"
 
 namespace stope::topology {
@@ -22,19 +23,24 @@ struct NamedOutlines {
   std::vector<std::uint8_t> side;   ///< by name
   std::vector<std::uint8_t> side_by_number;
   std::vector<std::int32_t> unused;  ///< places in the lists
+  std::vector<Outline> left;         ///< as they were numbered before the last change
+  NumberRanges free_numbers;         ///< but for those of `left`
 
   NamedOutlines(const Outlines& outlines, const EdgeGrid& edges);
 };
 
 /// Edges that are in a row on an outline as they were before it changed, as many as there are.
 struct StayedRun {
-  std::int32_t outline = 0, first = 0, count = 0;       ///< from its first edge on
-  std::int32_t old_outline = 0, old_outline_count = 0;  ///< where they were: by its place then
+  std::int32_t outline = 0, first = 0, count = 0;  ///< from its first edge on
+  /// Where they were: by its place then, which another outline may have now.
+  std::int32_t old_outline = 0, old_first = 0, old_outline_count = 0;
+  OutlineEdge old_outline_first = -1;  ///< its number then; -1: others may have had it since
 };
 
 /// How outlines have changed.
 struct OutlineChange {
-  /// Of those that have, the edges that stayed. Where a run ends, the outline is another.
+  /// Of those that have, the edges that stayed, in the order of `outlines` unless all have new
+  /// numbers. Where a run ends, the outline is another.
   std::vector<StayedRun> runs;
   std::vector<std::int32_t> outlines;  ///< places of those with other numbers than before
 };

@@ -106,7 +106,7 @@ bool RoadUpdater::State::update(const ExtractionMethod& method,
     before.insert(before.end(), row + span.cells.begin, row + span.cells.end);
   }
   const OutlineChange change = update_outlines(outlines, space, edges, window);
-  rule.renew(change.outlines, outlines.side_by_number);
+  rule.renew(change, outlines.side_by_number);
   update_nearest_outline(spans, reach, space, outlines.by_name, edges);
 
   stale.clear();

@@ -87,7 +87,7 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
     const std::vector<LinePoint> points = network.points(line).copy();
     std::vector<LinePoint> smooth =
         smooth_line(with_short_steps(points), kSmoothingReach, style.smoothing);
-    for (LinePoint& point : smooth) point.distance = field.at(point, 1);
+    field.estimate(smooth);
     const double width = 2 * median_clearance(smooth) * frame.resolution;
     std::vector<LinePoint> simple =
         simplify_line(smooth, style.tolerance / frame.resolution, kClearanceShare);

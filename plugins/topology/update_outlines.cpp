@@ -3,14 +3,15 @@
 // Idea: an edge's successor depends on the cells around its own cell only. So the edges of cells in
 // or beside the window are cut out of their outlines, which leaves chains of the others; the new
 // boundary is walked within the window, and where the walk leaves it, it goes on with the chain
-// that starts there. The rings that come out get numbers that no outline has; all get new ones when
-// too many are unused.
+// that starts there. The rings that come out get numbers of their own.
 // Cost: linear in the window's area and, with a small constant, in the length of these outlines.
 #include <algorithm>
 #include <tuple>
 #include <unordered_map>
 
 #include "plugins/topology/named_outlines.hpp"
+#include "plugins/topology/number_outlines.hpp"
+#include "plugins/topology/stayed_runs.hpp"
 
 namespace stope::topology {
 namespace {
@@ -20,14 +21,6 @@ std::size_t at(std::int64_t place) { return static_cast<std::size_t>(place); }
 /// Edges of an outline that stayed, in a row.
 struct Chain {
   std::int32_t outline = 0, along = 0, count = 0;
-};
-
-/// A new outline.
-struct Ring {
-  std::vector<OutlineEdge> names;
-  std::vector<std::int32_t> breaks;  ///< places in `names` where an edge or a chain was added
-  Outline outline;
-  std::size_t start = 0;  ///< of the outline, in `names`
 };
 
 class OutlineUpdate {
@@ -49,10 +42,14 @@ class OutlineUpdate {
     renew_sides();
     make_chains();
     walk_all();
-    for (Ring& ring : rings_) start_ring(ring);
-    for (const Ring& ring : rings_) find_runs(ring);
-    number_rings();
-    return std::move(change_);
+    leave_out_unchanged();
+    for (OutlineRing& ring : rings_) start_ring(ring);
+    OutlineChange change;
+    change.runs = find_stayed_runs(rings_, outlines_);
+    change.outlines = number_rings(rings_, touched_, outlines_);
+    for (StayedRun& run : change.runs) run.outline = change.outlines[at(run.outline)];
+    if (renumber_if_sparse(outlines_)) forget_numbers(change);
+    return change;
   }
 
  private:
@@ -162,7 +159,7 @@ class OutlineUpdate {
   }
 
   void walk(const Local& first) {
-    Ring ring;
+    OutlineRing ring;
     CellIndex cell = first.cell;
     int side = first.side;
     do {
@@ -206,45 +203,21 @@ class OutlineUpdate {
     side = (ahead + 2) % 4;
   }
 
-  /// The runs of a ring's edges that were in a row before. Such a run can only end at a break.
-  void find_runs(const Ring& ring) {
-    const std::size_t pieces = ring.breaks.size(), count = ring.names.size();
-    const auto begin_of = [&](std::size_t piece) {
-      return piece < pieces ? at(ring.breaks[piece]) : at(ring.breaks[piece - pieces]) + count;
-    };
-    const auto old_number = [&](std::size_t place) {
-      return outlines_.number[at(ring.names[place % count])];
-    };
-    const auto goes_on = [&](std::size_t piece) {
-      const std::size_t begin = begin_of(piece);
-      return follows(old_number(begin + count - 1), old_number(begin));
-    };
-    std::size_t first = 0;
-    while (first < pieces && goes_on(first)) ++first;
-    for (std::size_t piece = first; piece < first + pieces && first < pieces;) {
-      const std::size_t begin = begin_of(piece);
-      do ++piece;
-      while (piece < first + pieces && goes_on(piece));
-      const OutlineEdge number = old_number(begin);
-      if (number < 0) continue;
-      StayedRun run;
-      run.outline = static_cast<std::int32_t>(&ring - rings_.data());
-      run.first = static_cast<std::int32_t>((begin + count - ring.start) % count);
-      run.count = static_cast<std::int32_t>(begin_of(piece) - begin);
-      run.old_outline = outlines_.by_number.of_edge[at(number)];
-      run.old_outline_count = outlines_.by_number.list[at(run.old_outline)].count;
-      change_.runs.push_back(run);
-    }
+  /// An outline of which no edge came or went has its numbers already.
+  void leave_out_unchanged() {
+    std::erase_if(rings_, [&](const OutlineRing& ring) {
+      if (!stays(ring, outlines_)) return false;
+      const OutlineEdge number = outlines_.number[at(ring.names.front())];
+      const std::int32_t outline = outlines_.by_number.of_edge[at(number)];
+      for (const std::int32_t place : ring.breaks)
+        named_.of_edge[at(ring.names[at(place)])] = outline;
+      std::erase(touched_, outline);
+      return true;
+    });
   }
-  /// Whether one number came right behind another.
-  bool follows(std::int32_t first, std::int32_t second) const {
-    if (first < 0 || second < 0) return false;
-    if (second == first + 1) return true;
-    const Outline& whole = outlines_.by_number.list[at(outlines_.by_number.of_edge[at(first)])];
-    return second == whole.first && first == whole.first + whole.count - 1;
-  }
+
   /// Lets a ring start where trace_outlines would, and measures its box.
-  void start_ring(Ring& ring) {
+  void start_ring(OutlineRing& ring) {
     auto key = [&](OutlineEdge name) {
       const Outlines::Place place = named_.place[at(name)];
       return std::pair(place.row, place.column);
@@ -265,71 +238,15 @@ class OutlineUpdate {
     box.count = static_cast<std::int32_t>(ring.names.size());
   }
 
-  void number_rings() {
-    std::vector<Outline>& list = outlines_.by_number.list;
-    for (const std::int32_t place : touched_) {
-      list[at(place)].count = 0;
-      outlines_.unused.push_back(place);
-    }
-    for (const Ring& ring : rings_) {
-      if (outlines_.unused.empty()) {
-        outlines_.unused.push_back(static_cast<std::int32_t>(list.size()));
-        list.emplace_back();
-      }
-      change_.outlines.push_back(outlines_.unused.back());
-      outlines_.unused.pop_back();
-      list[at(change_.outlines.back())] = ring.outline;
-      const auto start = ring.names.begin() + static_cast<std::ptrdiff_t>(ring.start);
-      give_numbers(change_.outlines.back(), [&](OutlineEdge* names) {
-        std::rotate_copy(ring.names.begin(), start, ring.names.end(), names);
-      });
-    }
-    for (StayedRun& run : change_.runs) run.outline = change_.outlines[at(run.outline)];
-    std::size_t used = 0;
-    for (const Outline& outline : list) used += at(outline.count) + at(named_.gap);
-    if (outlines_.name.size() > 2 * used + kFewNumbers) number_all();
-    named_.list = list;
+  /// All outlines have new numbers.
+  void forget_numbers(OutlineChange& change) const {
+    const std::vector<Outline>& list = outlines_.by_number.list;
+    change.outlines.clear();
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (list[i].count > 0) change.outlines.push_back(static_cast<std::int32_t>(i));
+    for (StayedRun& run : change.runs) run.old_outline_first = -1;
   }
 
-  /// Gives numbers that are not in use to an outline's edges, which `write` writes in order.
-  template <class Write>
-  void give_numbers(std::int32_t place, Write write) {
-    Outlines& numbered = outlines_.by_number;
-    Outline& whole = numbered.list[at(place)];
-    whole.first = static_cast<OutlineEdge>(outlines_.name.size());
-    const std::size_t size = outlines_.name.size() + at(whole.count) + at(named_.gap);
-    outlines_.name.resize(size, -1);
-    outlines_.side_by_number.resize(size);
-    numbered.place.resize(size);
-    numbered.of_edge.resize(size, -1);
-    write(outlines_.name.data() + whole.first);
-    for (OutlineEdge number = whole.first; number < whole.first + whole.count; ++number) {
-      const OutlineEdge name = outlines_.name[at(number)];
-      outlines_.number[at(name)] = number;
-      outlines_.side_by_number[at(number)] = outlines_.side[at(name)];
-      numbered.place[at(number)] = named_.place[at(name)];
-      numbered.of_edge[at(number)] = named_.of_edge[at(name)] = place;
-    }
-  }
-
-  void number_all() {
-    const std::vector<OutlineEdge> before = std::move(outlines_.name);
-    outlines_.name.clear();
-    outlines_.side_by_number.clear();
-    outlines_.by_number.place.clear();
-    outlines_.by_number.of_edge.clear();
-    change_.outlines.clear();
-    for (std::size_t i = 0; i < outlines_.by_number.list.size(); ++i) {
-      const Outline& whole = outlines_.by_number.list[i];
-      if (whole.count == 0) continue;
-      change_.outlines.push_back(static_cast<std::int32_t>(i));
-      const OutlineEdge* names = before.data() + whole.first;
-      give_numbers(change_.outlines.back(),
-                   [&](OutlineEdge* to) { std::copy_n(names, whole.count, to); });
-    }
-  }
-
-  static constexpr std::size_t kFewNumbers = 100000;
   static constexpr std::int32_t kUnvisited = -2, kVisited = -3;  ///< as an outline
   static constexpr OutlineEdge kUnnamed = -2;
 
@@ -344,28 +261,10 @@ class OutlineUpdate {
   std::vector<std::int32_t> touched_;  ///< places of outlines
   std::vector<Chain> chains_;
   std::unordered_map<OutlineEdge, std::size_t> chain_at_;
-  std::vector<Ring> rings_;
-  OutlineChange change_;
+  std::vector<OutlineRing> rings_;
 };
 
 }  // namespace
-
-NamedOutlines::NamedOutlines(const Outlines& outlines, const EdgeGrid& edges)
-    : by_name(outlines), by_number(outlines), side(outlines.place.size(), 0) {
-  by_number.sides.clear();
-  number.resize(outlines.place.size(), -1);
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    if (outlines.of_edge[i] < 0) continue;
-    const auto edge = static_cast<OutlineEdge>(i);
-    const Outlines::Place place = outlines.place[i];
-    const auto& sides = outlines.sides[at(edges[edges.index(place.column, place.row)])];
-    number[i] = edge;
-    side[i] =
-        static_cast<std::uint8_t>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
-  }
-  name = number;
-  side_by_number = side;
-}
 
 OutlineChange update_outlines(NamedOutlines& outlines, FreeSpace& space, EdgeGrid& edges,
                               const CellWindow& window) {
