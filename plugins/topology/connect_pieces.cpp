@@ -1,14 +1,11 @@
 #include "plugins/topology/connect_pieces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <queue>
-#include <tuple>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "plugins/topology/disjoint_sets.hpp"
+#include "plugins/topology/link_groups.hpp"
 
 namespace stope::topology {
 namespace {
@@ -26,7 +23,6 @@ class PieceConnector {
         courses_(courses),
         least_apart_(least_apart),
         checkpoint_(checkpoint),
-        stride_(space.stride()),
         pieces_(outlines.list.size()) {}
 
   ConnectedLines run() {
@@ -59,10 +55,6 @@ class PieceConnector {
   }
 
  private:
-  struct Group {
-    std::int32_t piece = 0;
-    std::vector<CellIndex> corners;
-  };
   static constexpr std::int32_t kLeftOut = -1;
   /// Which lines hang together. A group is named by its first node.
   struct Groups {
@@ -132,7 +124,8 @@ class PieceConnector {
 
   /// Lines that links end on are traced anew, with nodes there.
   ConnectedLines linked_within(const std::vector<std::int32_t>& torn) {
-    const std::vector<Link> links = links_within(torn);
+    const std::vector<Link> links =
+        link_groups(space_, outlines_, edges_, find_groups(torn), checkpoint_);
     std::unordered_set<CellIndex> link_ends;
     for (const Link& link : links) link_ends.insert({link.from, link.to});
     LineTracer tracer(space_, outlines_, edges_, courses_, least_apart_);
@@ -170,34 +163,11 @@ class PieceConnector {
     return narrow;
   }
 
-  std::vector<Link> links_within(const std::vector<std::int32_t>& torn) {
-    std::vector<Group> groups = find_groups(torn);
-    // Small groups look for large ones: their searches are short.
-    std::vector<std::size_t> order(groups.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return groups[a].corners.size() < groups[b].corners.size();
-    });
-    DisjointSets joined(groups.size());
-    std::vector<Link> links;
-    for (const std::size_t start : order) {
-      const std::int32_t own = joined.find(static_cast<std::int32_t>(start));
-      const bool apart = std::any_of(order.begin(), order.end(), [&](std::size_t other) {
-        return groups[other].piece == groups[start].piece &&
-               joined.find(static_cast<std::int32_t>(other)) != own;
-      });
-      if (!apart) continue;
-      checkpoint_();
-      links.push_back(widest_way(groups, joined, own));
-      joined.join(own, group_of_.at(links.back().to));
-    }
-    return links;
-  }
-
-  std::vector<Group> find_groups(const std::vector<std::int32_t>& torn) {
+  /// What hangs together within torn pieces.
+  std::vector<LineGroup> find_groups(const std::vector<std::int32_t>& torn) {
     Groups connected(ends_);
     std::vector<std::int32_t> name(connected.ends.corner.size(), -1);
-    std::vector<Group> groups;
+    std::vector<LineGroup> groups;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const std::int32_t piece = piece_of(*lines_[i]);
       if (!std::binary_search(torn.begin(), torn.end(), piece)) continue;
@@ -206,62 +176,10 @@ class PieceConnector {
         own = static_cast<std::int32_t>(groups.size());
         groups.push_back({piece, {}});
       }
-      for (const CellIndex corner : lines_[i]->corners)
-        if (group_of_.emplace(corner, own).second) groups[at(own)].corners.push_back(corner);
+      auto& corners = groups[at(own)].corners;
+      corners.insert(corners.end(), lines_[i]->corners.begin(), lines_[i]->corners.end());
     }
     return groups;
-  }
-
-  std::array<CellIndex, 4> cells_at(CellIndex corner) const {
-    return {corner, corner + 1, corner + stride_, corner + stride_ + 1};
-  }
-  /// From any corner of one group to any of another, through the cells with the most room.
-  Link widest_way(const std::vector<Group>& groups, DisjointSets& joined, std::int32_t own) {
-    struct Entry {
-      std::int64_t room;
-      std::int32_t steps;
-      CellIndex cell, from;
-      bool operator<(const Entry& other) const {
-        return std::tuple(-room, steps, cell, from) >
-               std::tuple(-other.room, other.steps, other.cell, other.from);
-      }
-    };
-    std::priority_queue<Entry> open;
-    std::unordered_map<CellIndex, CellIndex> came_from, corner_of;
-    for (std::size_t group = 0; group < groups.size(); ++group) {
-      if (joined.find(static_cast<std::int32_t>(group)) != own) continue;
-      for (const CellIndex corner : groups[group].corners) {
-        for (const CellIndex cell : cells_at(corner)) {
-          if (!free(cell)) continue;
-          if (corner_of.emplace(cell, corner).second) open.push({distance(cell), 0, cell, -1});
-        }
-      }
-    }
-    while (!open.empty()) {
-      const Entry entry = open.top();
-      open.pop();
-      if (!came_from.emplace(entry.cell, entry.from).second) continue;
-      for (const CellIndex corner :
-           {entry.cell, entry.cell - 1, entry.cell - stride_, entry.cell - stride_ - 1}) {
-        const auto group = group_of_.find(corner);
-        if (group == group_of_.end() || joined.find(group->second) == own) continue;
-        Link link;
-        link.to = corner;
-        for (CellIndex cell = entry.cell; cell >= 0; cell = came_from.at(cell))
-          link.cells.push_back(cell);
-        std::reverse(link.cells.begin(), link.cells.end());
-        link.from = corner_of.at(link.cells.front());
-        return link;
-      }
-      for (const CellIndex row : {-stride_, 0, stride_}) {
-        for (const CellIndex next :
-             {entry.cell + row - 1, entry.cell + row, entry.cell + row + 1}) {
-          if (!free(next) || came_from.contains(next)) continue;
-          open.push({std::min(entry.room, distance(next)), entry.steps + 1, next, entry.cell});
-        }
-      }
-    }
-    return {};
   }
 
   void add_lone_nodes(LineNetwork& network) {
@@ -303,9 +221,7 @@ class PieceConnector {
   Courses& courses_;
   double least_apart_;
   const Checkpoint& checkpoint_;
-  CellIndex stride_;
   DisjointSets pieces_;
-  std::unordered_map<CellIndex, std::int32_t> group_of_;
 };
 
 }  // namespace
