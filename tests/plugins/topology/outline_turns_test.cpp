@@ -80,7 +80,7 @@ OccupancyGrid winding_grid(std::int32_t side, std::uint64_t seed) {
 // Turns are only looked for beside what changed; all others are those of before.
 TEST(OutlineTurns, AreThoseOfAWholeSearchAfterEveryChange) {
   const TurnRule rule{1.0, 40};
-  const std::int32_t side = 200;
+  const std::int32_t side = 260;
   const OccupancyGrid grid = winding_grid(side, 3);
   FreeSpace space = make_free_space(grid, {});
   EdgeGrid edges(side, side);
