@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "plugins/planner/dubins_words.hpp"
+#include "plugins/planner/reeds_shepp_words.hpp"
+
 namespace stope::planner {
 namespace {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "plugins/planner/footprint.hpp"
-#include "plugins/planner/reeds_shepp_words.hpp"
+#include "plugins/planner/steering_word.hpp"
 
 namespace stope::planner {
 

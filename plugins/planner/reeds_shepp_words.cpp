@@ -7,21 +7,18 @@
 // Cost: constant; some 60 formulas.
 #include "plugins/planner/reeds_shepp_words.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <tuple>
+#include <string_view>
+#include <utility>
 
 namespace stope::planner {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kZero = 1e-10;
 
-struct Goal {
-  double x, y, yaw;
-};
 struct Polar {
   double radius, angle;
 };
@@ -34,26 +31,26 @@ struct Lengths {
 };
 using Solution = std::optional<Lengths>;
 
-Solution left_straight_left(const Goal& g) {  // 8.1
+Solution left_straight_left(const WordGoal& g) {  // 8.1
   const auto [u, t] = polar(g.x - std::sin(g.yaw), g.y - 1 + std::cos(g.yaw));
   const double v = wrapped(g.yaw - t);
-  if (t < -kZero || v < -kZero) return std::nullopt;
+  if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution left_straight_right(const Goal& g) {  // 8.2
+Solution left_straight_right(const WordGoal& g) {  // 8.2
   const auto [far, angle] = polar(g.x + std::sin(g.yaw), g.y - 1 - std::cos(g.yaw));
   if (far * far < 4) return std::nullopt;
   const double u = std::sqrt(far * far - 4);
   const double t = wrapped(angle + std::atan2(2, u)), v = wrapped(t - g.yaw);
-  if (t < -kZero || v < -kZero) return std::nullopt;
+  if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution left_right_left(const Goal& g) {  // 8.3 and 8.4
+Solution left_right_left(const WordGoal& g) {  // 8.3 and 8.4
   const auto [far, angle] = polar(g.x - std::sin(g.yaw), g.y - 1 + std::cos(g.yaw));
   if (far > 4) return std::nullopt;
   const double u = -2 * std::asin(0.25 * far);
   const double t = wrapped(angle + 0.5 * u + kPi), v = wrapped(g.yaw - t + u);
-  if (t < -kZero || u > kZero) return std::nullopt;
+  if (t < -kNoLength || u > kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
 
@@ -66,55 +63,55 @@ std::pair<double, double> outer_arcs(double u, double v, double xi, double eta, 
   const double tau = second < 0 ? wrapped(first + kPi) : wrapped(first);
   return {tau, wrapped(tau - u + v - yaw)};
 }
-Solution four_arcs_inner_opposed(const Goal& g) {  // 8.7: L+ R+u L-u R-
+Solution four_arcs_inner_opposed(const WordGoal& g) {  // 8.7: L+ R+u L-u R-
   const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
   const double rho = 0.25 * (2 + std::hypot(xi, eta));
   if (rho > 1) return std::nullopt;
   const double u = std::acos(rho);
   const auto [t, v] = outer_arcs(u, -u, xi, eta, g.yaw);
-  if (t < -kZero || v > kZero) return std::nullopt;
+  if (t < -kNoLength || v > kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution four_arcs_inner_alike(const Goal& g) {  // 8.8: L+ R-u L-u R+
+Solution four_arcs_inner_alike(const WordGoal& g) {  // 8.8: L+ R-u L-u R+
   const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
   const double rho = (20 - xi * xi - eta * eta) / 16;
   if (rho < 0 || rho > 1) return std::nullopt;
   const double u = -std::acos(rho);
   const auto [t, v] = outer_arcs(u, u, xi, eta, g.yaw);
-  if (t < -kZero || v < -kZero) return std::nullopt;
+  if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution quarter_straight_left(const Goal& g) {  // 8.9: L+ R-(pi/2) S- L-
+Solution quarter_straight_left(const WordGoal& g) {  // 8.9: L+ R-(pi/2) S- L-
   const auto [far, angle] = polar(g.x - std::sin(g.yaw), g.y - 1 + std::cos(g.yaw));
   if (far < 2) return std::nullopt;
   const double r = std::sqrt(far * far - 4), u = 2 - r;
   const double t = wrapped(angle + std::atan2(r, -2)), v = wrapped(g.yaw - kPi / 2 - t);
-  if (t < -kZero || u > kZero || v > kZero) return std::nullopt;
+  if (t < -kNoLength || u > kNoLength || v > kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution quarter_straight_right(const Goal& g) {  // 8.10: L+ R-(pi/2) S- R-
+Solution quarter_straight_right(const WordGoal& g) {  // 8.10: L+ R-(pi/2) S- R-
   const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
   const auto [far, t] = polar(-eta, xi);
   if (far < 2) return std::nullopt;
   const double u = 2 - far, v = wrapped(t + kPi / 2 - g.yaw);
-  if (t < -kZero || u > kZero || v > kZero) return std::nullopt;
+  if (t < -kNoLength || u > kNoLength || v > kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution quarter_straight_quarter(const Goal& g) {  // 8.11: L+ R-(pi/2) S- L-(pi/2) R+
+Solution quarter_straight_quarter(const WordGoal& g) {  // 8.11: L+ R-(pi/2) S- L-(pi/2) R+
   const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
   const double far = std::hypot(xi, eta);
   if (far < 2) return std::nullopt;
   const double u = 4 - std::sqrt(far * far - 4);
-  if (u > kZero) return std::nullopt;
+  if (u > kNoLength) return std::nullopt;
   const double t = wrapped(std::atan2((4 - u) * xi - 2 * eta, -2 * xi + (u - 4) * eta));
   const double v = wrapped(t - g.yaw);
-  if (t < -kZero || v < -kZero) return std::nullopt;
+  if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
 
 /// A formula and the word its lengths make.
 struct Formula {
-  Solution (*solve)(const Goal&);
+  Solution (*solve)(const WordGoal&);
   const char* steer;
   std::array<double, 5> (*spell)(const Lengths&);
 };
@@ -146,60 +143,19 @@ const std::array<Formula, 8> kFormulas{{
      }},
 }};
 
-Goal local_goal(const Pose2& from, const Pose2& to, double radius) {
-  const double dx = (to.x - from.x) / radius, dy = (to.y - from.y) / radius;
-  const double c = std::cos(from.yaw), s = std::sin(from.yaw);
-  return {c * dx + s * dy, -s * dx + c * dy, wrapped(to.yaw - from.yaw)};
-}
-
-bool arrives(const SteeringWord& word, const Goal& goal) {
-  double x = 0, y = 0, yaw = 0, sine = 0, cosine = 1;
-  for (std::size_t i = 0; i < word.steer.size() && word.steer[i] != 0; ++i) {
-    if (word.steer[i] == 'S') {
-      x += word.length[i] * cosine, y += word.length[i] * sine;
-      continue;
-    }
-    const double side = word.steer[i] == 'L' ? 1 : -1;
-    yaw += side * word.length[i];
-    const double sine_before = sine, cosine_before = cosine;
-    sine = std::sin(yaw), cosine = std::cos(yaw);
-    x += side * (sine - sine_before), y += side * (cosine_before - cosine);
-  }
-  return std::hypot(x - goal.x, y - goal.y) < 1e-6 && std::abs(wrapped(yaw - goal.yaw)) < 1e-6;
-}
-
-void keep(std::vector<SteeringWord>& words, SteeringWord word, const Goal& goal) {
-  word.total = 0;
-  for (const double length : word.length) word.total += std::abs(length);
-  if (arrives(word, goal)) words.push_back(word);
-}
-
-void sort(std::vector<SteeringWord>& words) {
-  std::sort(words.begin(), words.end(), [](const SteeringWord& a, const SteeringWord& b) {
-    return std::tie(a.total, a.steer, a.length) < std::tie(b.total, b.steer, b.length);
-  });
-}
-
 }  // namespace
 
-std::string SteeringWord::name() const {
-  std::string text;
-  for (std::size_t i = 0; i < steer.size() && steer[i] != 0; ++i)
-    text.append(1, steer[i]).append(length[i] < 0 ? "-" : "+");
-  return text;
-}
-
 std::vector<SteeringWord> reeds_shepp_words(const Pose2& from, const Pose2& to, double radius) {
-  const Goal goal = local_goal(from, to, radius);
+  const WordGoal goal = goal_seen_from(from, to, radius);
   const double c = std::cos(goal.yaw), s = std::sin(goal.yaw);
-  const Goal reversed{goal.x * c + goal.y * s, goal.x * s - goal.y * c, goal.yaw};
+  const WordGoal reversed{goal.x * c + goal.y * s, goal.x * s - goal.y * c, goal.yaw};
   std::vector<SteeringWord> words;
   for (const Formula& formula : kFormulas) {
     const std::string_view steer = formula.steer;
     for (const bool backwards : {false, true}) {
       for (const bool time : {false, true}) {
         for (const bool mirror : {false, true}) {
-          Goal seen = backwards ? reversed : goal;
+          WordGoal seen = backwards ? reversed : goal;
           if (time) seen.x = -seen.x, seen.yaw = -seen.yaw;
           if (mirror) seen.y = -seen.y, seen.yaw = -seen.yaw;
           const Solution solution = formula.solve(seen);
@@ -212,56 +168,13 @@ std::vector<SteeringWord> reeds_shepp_words(const Pose2& from, const Pose2& to, 
             word.steer[at] = mirror && turn != 'S' ? (turn == 'L' ? 'R' : 'L') : turn;
             word.length[at] = time ? -lengths[i] : lengths[i];
           }
-          keep(words, word, goal);
+          keep_if_it_arrives(words, word, goal);
         }
       }
     }
   }
-  sort(words);
+  sort_words(words);
   return words;
-}
-
-std::vector<SteeringWord> dubins_words(const Pose2& from, const Pose2& to, double radius) {
-  const Goal goal = local_goal(from, to, radius);
-  const auto round = [](double angle) {
-    const double positive = std::fmod(angle, 2 * kPi);
-    const double result = positive < 0 ? positive + 2 * kPi : positive;
-    return result > 2 * kPi - kZero ? 0.0 : result;
-  };
-  std::vector<SteeringWord> words;
-  for (const bool mirror : {false, true}) {
-    const double y = mirror ? -goal.y : goal.y, yaw = mirror ? -goal.yaw : goal.yaw;
-    const char left = mirror ? 'R' : 'L', right = mirror ? 'L' : 'R';
-    const double same_x = goal.x - std::sin(yaw), same_y = y - 1 + std::cos(yaw);
-    const double other_x = goal.x + std::sin(yaw), other_y = y - 1 - std::cos(yaw);
-    const Polar same = polar(same_x, same_y), other = polar(other_x, other_y);
-    const double t = round(same.angle);
-    keep(words, {{left, 'S', left}, {t, same.radius, round(yaw - t)}, 0}, goal);
-    if (other.radius >= 2) {
-      const double u = std::sqrt(other.radius * other.radius - 4);
-      const double first = round(other.angle + std::atan2(2, u));
-      keep(words, {{left, 'S', right}, {first, u, round(first - yaw)}, 0}, goal);
-    }
-    if (same.radius <= 4) {
-      const double half = std::asin(0.25 * same.radius);
-      // The middle arc is the long way round: the short one is never part of a shortest way.
-      const double u = 2 * kPi - 2 * half;
-      const double first = round(same.angle + kPi / 2 + (kPi / 2 - half));
-      keep(words, {{left, right, left}, {first, u, round(yaw - first + u)}, 0}, goal);
-    }
-  }
-  sort(words);
-  return words;
-}
-
-DriveCurve curve_of(const SteeringWord& word, const Pose2& from, double radius) {
-  DriveCurve curve{from, {}};
-  for (std::size_t i = 0; i < word.steer.size() && word.steer[i] != 0; ++i) {
-    if (std::abs(word.length[i]) < kZero) continue;
-    const double curvature = word.steer[i] == 'S' ? 0.0 : (word.steer[i] == 'L' ? 1 : -1) / radius;
-    curve.pieces.push_back({word.length[i] * radius, curvature, curvature});
-  }
-  return curve;
 }
 
 }  // namespace stope::planner

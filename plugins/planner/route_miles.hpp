@@ -6,17 +6,11 @@
 #include <vector>
 
 #include "plugins/planner/drivability.hpp"
+#include "plugins/planner/goal_area.hpp"
 #include "plugins/planner/speed_profile.hpp"
 #include "stope/payloads/path.hpp"
 
 namespace stope::planner {
-
-/// Where a truck may stand at the end: anywhere in a polygon x, y, x, y, …
-struct GoalArea {
-  std::vector<double> polygon;    ///< metres; empty: there is none
-  std::optional<double> heading;  ///< radians; none: any will do
-  bool holds(const Pose2& pose) const;
-};
 
 struct MileRequest {
   Vehicle vehicle;
@@ -35,9 +29,5 @@ struct MileRequest {
 Path add_miles(const Path& path, const OccupancyGrid& grid, const ElevationGrid* elevation,
                const MileRequest& request, const std::function<void(std::string_view)>& say,
                const std::function<void()>& checkpoint);
-
-/// Poses in a polygon (x, y, x, y, …), nearest to its middle first, in this heading or, without it,
-/// in eight. Throws Error, a sentence, if it holds no place.
-std::vector<Pose2> poses_in(const std::vector<double>& polygon, std::optional<double> heading);
 
 }  // namespace stope::planner

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "plugins/planner/dubins_words.hpp"
 #include "stope/random.hpp"
 
 namespace stope::planner {
