@@ -18,16 +18,30 @@ bool backwards(const PathPoint& a, const PathPoint& b) {
   return (b.x - a.x) * std::cos(yaw) + (b.y - a.y) * std::sin(yaw) < 0;
 }
 
+bool stands(const PathPoint& point) { return point.speed == 0; }
+
 /// Where the truck drives backwards before and forwards behind, or the other way round. A path
 /// without speeds is a line and no drive: it has none.
 std::vector<std::size_t> cusps_of(const std::vector<PathPoint>& points) {
   std::vector<std::size_t> cusps;
-  const auto stands = [](const PathPoint& point) { return point.speed == 0; };
   if (std::all_of(points.begin(), points.end(), stands)) return cusps;
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
     if (backwards(points[i - 1], points[i]) != backwards(points[i], points[i + 1]))
       cusps.push_back(i);
   return cusps;
+}
+
+/// Where the truck stops between its start and its end; of several points in a row the first.
+std::vector<std::size_t> standstills_of(const std::vector<PathPoint>& points) {
+  std::vector<std::size_t> standstills;
+  const auto moves = std::find_if_not(points.begin(), points.end(), stands);
+  for (auto stop = std::find_if(moves, points.end(), stands); stop != points.end();) {
+    const auto on = std::find_if_not(stop, points.end(), stands);
+    if (on == points.end()) break;  // its end
+    standstills.push_back(static_cast<std::size_t>(stop - points.begin()));
+    stop = std::find_if(on, points.end(), stands);
+  }
+  return standstills;
 }
 
 }  // namespace
@@ -43,8 +57,9 @@ class PathGeojson final : public Map<Artefact(Path)> {
         .notes(
             "Properties hold the length, the ids of the roads followed, and for every point its "
             "heading (yaw), clearance, curvature and speed (negative backwards, 0 where the truck "
-            "stands, all 0 if none is planned); null where not known. cusps are the places in "
-            "these lists, from 0, where the direction of driving changes.")
+            "stands, all 0 if none is planned); null where not known. standstills are the places "
+            "in these lists, from 0, where the truck stops on its way, cusps those where the "
+            "direction of driving changes.")
         .ports("path", "artefact")
         .writes({"geojson"})
         .param("frame", &Params::frame, "The frame the coordinates are in.");
@@ -70,14 +85,15 @@ class PathGeojson final : public Map<Artefact(Path)> {
         "{{\n\"type\": \"FeatureCollection\",\n\"name\": \"path\",\n\"features\": [\n"
         "{{\"type\": \"Feature\", \"properties\": {{\n\"frame\": {},\n\"length\": {},\n\"edges\": "
         "[{}],\n\"yaw\": {},\n\"clearance\": {},\n\"curvature\": {},\n\"speed\": {},\n\"cusps\": "
-        "[{}]}},\n\"geometry\": "
+        "[{}],\n\"standstills\": [{}]}},\n\"geometry\": "
         "{{\"type\": \"LineString\", \"coordinates\": {}}}}}\n]\n}}\n",
         json_text(params.frame), json_number(path.length), edges,
         list([](const PathPoint& point) { return json_number(point.yaw); }),
         list([](const PathPoint& point) { return json_number(point.clearance); }),
         list([](const PathPoint& point) { return json_number(point.curvature); }),
         list([](const PathPoint& point) { return json_number(point.speed); }),
-        fmt::join(cusps_of(path.points), ", "), coordinates);
+        fmt::join(cusps_of(path.points), ", "), fmt::join(standstills_of(path.points), ", "),
+        coordinates);
     return {{{"geojson", bytes_of(text)}}};
   }
 };

@@ -90,26 +90,23 @@ class Smooth final : public Map<Path(Path, OccupancyGrid, Optional<ElevationGrid
       tightest = std::max(tightest, std::abs(point.curvature));
       nearest = std::min(nearest, point.clearance);
     }
-    const std::size_t cusps = cusps_of(curve), stops = jumps_of(curve);
+    const std::size_t standstills = standstills_of(path.points);
+    const std::size_t cusps = std::min(cusps_of(curve), standstills);
     context.info(fmt::format(
-        "drivable: {:.1f} m, {}, the outline comes within {:.1f} m of an obstacle, {} {}",
-        path.length,
+        "drivable: {:.1f} m, {}, the outline comes within {:.1f} m of an obstacle, {}", path.length,
         tightest > kStraight ? fmt::format("tightest bend {:.1f} m", 1 / tightest) : "no bend",
-        nearest, cusps, cusps == 1 ? "change of direction" : "changes of direction"));
-    if (stops > 0) {
-      const std::string sentence =
-          fmt::format("curvature jumps at {} {}: there the truck stands while its wheels turn",
-                      stops, stops == 1 ? "place" : "places");
-      constexpr double kFewStops = 5, kApart = 500;  // metres
-      if (static_cast<double>(stops) <= kFewStops + path.length / kApart) {
-        context.info(sentence);
-      } else {
-        context.warn(fmt::format(
-            "{}, once in {:.0f} m; a route with wider bends, a smaller turning_radius or a "
-            "shorter steering_distance would let it drive through",
-            sentence, path.length / static_cast<double>(stops)));
-      }
-    }
+        nearest,
+        standstills == 0
+            ? "no standstills"
+            : fmt::format("standstills: {} ({} to change direction, {} to turn the wheels)",
+                          standstills, cusps, standstills - cusps)));
+    constexpr double kFew = 5, kApart = 500;  // metres
+    const auto turned = static_cast<double>(standstills - cusps);
+    if (turned <= kFew + path.length / kApart) return;
+    context.warn(fmt::format(
+        "there are {} standstills to turn the wheels, one in {:.0f} m; a route with wider bends, a "
+        "smaller turning_radius or a shorter steering_distance would let the truck drive through",
+        turned, path.length / turned));
   }
 };
 

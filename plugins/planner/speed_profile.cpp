@@ -53,4 +53,11 @@ void plan_speeds(std::vector<PathPoint>& points, const Vehicle& vehicle,
   }
 }
 
+std::size_t standstills_of(const std::vector<PathPoint>& points) {
+  std::size_t departures = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    departures += points[i - 1].speed == 0 && points[i].speed != 0 ? 1 : 0;
+  return departures > 0 ? departures - 1 : 0;
+}
+
 }  // namespace stope::planner

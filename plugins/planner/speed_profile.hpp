@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "plugins/planner/vehicle.hpp"
@@ -30,5 +31,9 @@ void describe_speeds(About<S>& about) {
 /// where it changes direction and, unless its wheels turn at once, where curvature changes by more
 /// between two points than they can turn on the way.
 void plan_speeds(std::vector<PathPoint>& points, const Vehicle& vehicle, const SpeedLimits& limits);
+
+/// How often the truck stands between its start and its end, where speeds are planned; several
+/// points in a row are one standstill.
+std::size_t standstills_of(const std::vector<PathPoint>& points);
 
 }  // namespace stope::planner

@@ -52,6 +52,24 @@ TEST(PathGeojson, SaysSpeedsAndWhereTheDirectionChanges) {
   EXPECT_TRUE(properties()["cusps"].empty());
 }
 
+TEST(PathGeojson, SaysWhereTheTruckStandsOnItsWay) {
+  // It stands at both ends, over two points from the third on and at the seventh, where it only
+  // turns its wheels.
+  Path path;
+  const double speeds[] = {0, 1, 0, 0, 1, 2, 0, 1, 0, 0};
+  for (std::size_t i = 0; i < 10; ++i)
+    path.points.push_back({static_cast<double>(i), 0, 0, 0, 0, 0, speeds[i]});
+  const auto standstills = [&] {
+    stope::testing::StageHarness stage(stope_stage_PathGeojson());
+    const auto text = text_of(stage.input("path", path).apply<Artefact>(), "geojson");
+    return nlohmann::json::parse(text)["features"][0]["properties"]["standstills"]
+        .get<std::vector<int>>();
+  };
+  EXPECT_EQ(standstills(), (std::vector<int>{2, 6}));
+  for (PathPoint& point : path.points) point.speed = 0;
+  EXPECT_TRUE(standstills().empty());
+}
+
 TEST(PathGeojson, RefusesAPathThatIsNoLine) {
   EXPECT_NE(stope::testing::error_of([] {
               stope::testing::StageHarness(stope_stage_PathGeojson())
