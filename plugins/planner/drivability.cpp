@@ -24,36 +24,36 @@ std::optional<double> height_at(const ElevationGrid& elevation, double x, double
   return height;
 }
 
-std::optional<double> Drivability::grade(const Pose2& pose) const {
+std::optional<double> Drivability::grade(const Footprint::Stand& stand) const {
   if (!elevation_) return std::nullopt;
-  const auto rear = height_at(*elevation_, pose.x, pose.y);
-  const auto front = height_at(*elevation_, pose.x + vehicle_.wheelbase * std::cos(pose.yaw),
-                               pose.y + vehicle_.wheelbase * std::sin(pose.yaw));
+  const auto rear = height_at(*elevation_, stand.at.x(), stand.at.y());
+  const auto front =
+      height_at(*elevation_, stand.at.x() + vehicle_.wheelbase * stand.heading.cosine(),
+                stand.at.y() + vehicle_.wheelbase * stand.heading.sine());
   if (!rear || !front) return std::nullopt;
   return (*front - *rear) / vehicle_.wheelbase;
 }
 
 std::optional<Obstruction> Drivability::first_slope(const DriveCurve& curve) const {
   Pose2 start = curve.start;
+  Heading heading(start.yaw);
   double driven = 0;
-  const auto look = [&](const Pose2& pose, double along) -> std::optional<Obstruction> {
-    const auto slope = grade(pose);
-    if (!slope)
-      return Obstruction{Obstruction::Kind::kNoElevation, along, pose, 0, Vector2::Zero()};
-    if (std::abs(*slope) > vehicle_.max_grade - kGradeReserve)
-      return Obstruction{Obstruction::Kind::kGrade, along, pose, *slope, Vector2::Zero()};
-    return std::nullopt;
+  const auto look = [&](const CurvePiece& piece, double along) -> std::optional<Obstruction> {
+    const auto slope = grade(Footprint::stand_along(start, heading, piece, along));
+    const bool known = slope.has_value();
+    if (known && std::abs(*slope) <= vehicle_.max_grade - kGradeReserve) return std::nullopt;
+    const Pose2 pose = along > 0 ? advance(start, first_part(piece, along)) : start;
+    return Obstruction{known ? Obstruction::Kind::kGrade : Obstruction::Kind::kNoElevation,
+                       driven + along, pose, slope.value_or(0), Vector2::Zero()};
   };
-  if (const auto found = look(start, 0)) return found;
+  if (const auto found = look({}, 0)) return found;
   for (const CurvePiece& piece : curve.pieces) {
     const double length = std::abs(piece.length);
     const auto count = std::ceil(length / kLook);
-    for (double i = 1; i <= count; ++i) {
-      const double along = length * i / count;
-      if (const auto found = look(advance(start, first_part(piece, along)), driven + along))
-        return found;
-    }
+    for (double i = 1; i <= count; ++i)
+      if (const auto found = look(piece, length * i / count)) return found;
     start = advance(start, piece);
+    heading = Heading(start.yaw);
     driven += length;
   }
   return std::nullopt;

@@ -37,7 +37,7 @@ class Drivability {
     return first_obstruction({pose, {}});
   }
   /// Rise over run from the rear to the front axle; none without elevation or where it is unknown.
-  std::optional<double> grade(const Pose2& pose) const;
+  std::optional<double> grade(const Footprint::Stand& stand) const;
   const Footprint& footprint() const { return footprint_; }
   const Vehicle& vehicle() const { return vehicle_; }
 

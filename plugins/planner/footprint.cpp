@@ -15,7 +15,6 @@
 
 namespace stope::planner {
 
-/// Where the truck is some metres along a piece: of straights and arcs without a new sine.
 Footprint::Stand Footprint::stand_along(const Pose2& start, const Heading& heading,
                                         const CurvePiece& piece, double along) {
   if (along == 0) return {{start.x, start.y}, heading};
@@ -46,6 +45,11 @@ std::optional<Vector2> Footprint::touched(const Stand& stand, double wider) cons
     if (outside) return frame.to_map(corners[i].x(), corners[i].y());
     bottom = std::min(bottom, corners[i].y()), top = std::max(top, corners[i].y());
   }
+  std::array<double, 4> slopes;  // columns a row; of level edges the ends are all that counts
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vector2 way = corners[(i + 1) % 4] - corners[i];
+    slopes[i] = way.y() != 0 ? way.x() / way.y() : 0;
+  }
   const auto first = static_cast<std::int32_t>(bottom);
   const auto last = std::min(static_cast<std::int32_t>(top), frame.height - 1);
   for (std::int32_t row = first; row <= last; ++row) {
@@ -54,16 +58,18 @@ std::optional<Vector2> Footprint::touched(const Stand& stand, double wider) cons
     for (std::size_t i = 0; i < 4; ++i) {
       const Vector2 &a = corners[i], &b = corners[(i + 1) % 4];
       if (a.y() >= row && a.y() <= row + 1) reach_to(a.x());
-      for (const double line : {double(row), double(row) + 1}) {
-        if ((a.y() < line) != (b.y() < line))
-          reach_to(a.x() + (line - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-      }
+      for (const double line : {double(row), double(row) + 1})
+        if ((a.y() < line) != (b.y() < line)) reach_to(a.x() + (line - a.y()) * slopes[i]);
     }
     const auto from = std::max(0, static_cast<std::int32_t>(left));
     const auto to = std::min(static_cast<std::int32_t>(right), frame.width - 1);
-    for (std::int32_t column = from; column <= to; ++column) {
-      if (grid_.cells[frame.place({column, row})] >= 127) return frame.centre({column, row});
-    }
+    const std::uint8_t* cells = &grid_.cells[frame.place({0, row})];
+    // Without a way out in between, so that many cells are looked at in one step.
+    std::uint8_t most = 0;
+    for (std::int32_t column = from; column <= to; ++column) most = std::max(most, cells[column]);
+    if (most < 127) continue;
+    for (std::int32_t column = from; column <= to; ++column)
+      if (cells[column] >= 127) return frame.centre({column, row});
   }
   return std::nullopt;
 }

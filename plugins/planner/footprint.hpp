@@ -17,6 +17,17 @@ class Footprint {
   Footprint(const Vehicle& vehicle, const OccupancyGrid& grid, const ClearanceField& field)
       : vehicle_(vehicle), circles_(vehicle), grid_(grid), field_(field) {}
 
+  /// Where the rear axle's middle is, and the heading.
+  struct Stand {
+    Vector2 at;
+    Heading heading;
+  };
+  static Stand stand(const Pose2& pose) { return {{pose.x, pose.y}, Heading(pose.yaw)}; }
+  /// Where the truck is some metres along a piece that begins in a pose: of straights and arcs
+  /// without a new sine. `heading` is the pose's.
+  static Stand stand_along(const Pose2& start, const Heading& heading, const CurvePiece& piece,
+                           double along);
+
   /// Whether the outline, `wider` metres larger on all sides, meets no obstacle. Exact against the
   /// grid's own cells.
   bool free(const Pose2& pose, double wider) const { return !touched(pose, wider); }
@@ -45,14 +56,6 @@ class Footprint {
   static constexpr double kBetween = 0.1;  ///< metres
 
  private:
-  /// Where the rear axle's middle is, and the heading.
-  struct Stand {
-    Vector2 at;
-    Heading heading;
-  };
-  static Stand stand(const Pose2& pose) { return {{pose.x, pose.y}, Heading(pose.yaw)}; }
-  static Stand stand_along(const Pose2& start, const Heading& heading, const CurvePiece& piece,
-                           double along);
   std::optional<Vector2> touched(const Stand& stand, double wider) const;
   double quick_clearance(const Stand& stand) const;
 

@@ -22,7 +22,9 @@ namespace stope::planner {
 namespace {
 
 constexpr double kCell = 1, kStep = 1.6;  // metres
-constexpr int kHeadings = 72;
+// To and fro reaches every heading everywhere: bins half as fine find as much in a third of the
+// poses. Forwards a step must leave its bin, or ways in narrow places are lost.
+constexpr int kHeadings = 72, kHeadingsBothWays = 36;
 constexpr std::size_t kMostWords = 6;  // tried from one pose
 constexpr std::size_t kEveryTurn = 8;  // poses from one turn to the walls to the next
 constexpr double kFromWall = 0.1;      // metres
@@ -77,8 +79,8 @@ class Search {
         // Words are dear, so they are spelled only for poses whose turn has come.
         Reached& weighed = reached_[top.at];
         weighed.steered = true;
-        weighed.left =
-            std::max(here.left, costs_.without_walls(here.pose, here.by.length < 0, goals_));
+        weighed.left = std::max(
+            here.left, costs_.without_walls(here.pose, here.by.length < 0, goals_, here.left));
         if (weighed.left > here.left) {
           queue_.push({weighed.cost + weighed.left, top.at});
           continue;
@@ -103,8 +105,9 @@ class Search {
     };
     const Vector2 at = field_.to_field(pose.x, pose.y) * (field_.cell() / kCell);
     const double turn = std::remainder(pose.yaw, 2 * std::numbers::pi) / (2 * std::numbers::pi);
+    const double headings = rules_.allow_reverse ? kHeadingsBothWays : kHeadings;
     const auto heading = static_cast<std::uint64_t>(
-        std::clamp(std::floor((turn + 0.5) * kHeadings), 0.0, kHeadings - 1.0));
+        std::clamp(std::floor((turn + 0.5) * headings), 0.0, headings - 1));
     return ((bin(at.x()) << 21 | bin(at.y())) << 8 | heading) << 1 | (by.length < 0 ? 1 : 0);
   }
 
@@ -142,7 +145,8 @@ class Search {
         const double cost = here.cost + costs_.of(piece, here.by, end);
         const auto known = best_.find(key(end, piece));
         if (known != best_.end() && reached_[known->second].cost <= cost) continue;
-        if (!ground_.drivable({here.pose, {piece}})) continue;
+        // Where it ends is where it mostly touches, and one look instead of many.
+        if (ground_.obstruction_at(end) || !ground_.drivable({here.pose, {piece}})) continue;
         add({end, piece, cost, at, kNone});
       }
     }
@@ -160,8 +164,9 @@ class Search {
         const auto obstruction = ground_.first_obstruction({here.pose, {piece}});
         if (!obstruction) continue;  // no walls to turn between
         piece.length = direction * (obstruction->along - kFromWall);
-        if (std::abs(piece.length) <= kStep || !ground_.drivable({here.pose, {piece}})) continue;
+        if (std::abs(piece.length) <= kStep) continue;
         const Pose2 end = advance(here.pose, piece);
+        if (ground_.obstruction_at(end)) continue;  // what lies before is free, or it were that
         add({end, piece, here.cost + costs_.of(piece, here.by, end), at, kNone});
       }
     }

@@ -45,10 +45,10 @@ std::vector<SteeringWord> ManoeuvreCosts::words_to(const Pose2& from, const Pose
 }
 
 double ManoeuvreCosts::without_walls(const Pose2& from, bool backwards_before,
-                                     const std::vector<Pose2>& goals) const {
+                                     const std::vector<Pose2>& goals, double enough) const {
   double least = std::numeric_limits<double>::infinity();
   const std::size_t stride = std::max<std::size_t>(1, goals.size() / 3);
-  for (std::size_t i = 0; i < goals.size(); i += stride) {
+  for (std::size_t i = 0; i < goals.size() && least > enough; i += stride) {
     for (const SteeringWord& word : words_to(from, goals[i]))
       least = std::min(least, of(word, backwards_before));
   }

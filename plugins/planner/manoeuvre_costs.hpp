@@ -21,9 +21,10 @@ class ManoeuvreCosts {
   /// Words from one pose to another that the truck may drive.
   std::vector<SteeringWord> words_to(const Pose2& from, const Pose2& goal) const;
   /// What the cheapest word to any of some goals costs; 0 if there is none. Of many goals a few
-  /// stand for the others: a guess that is a little too high does no harm.
-  double without_walls(const Pose2& from, bool backwards_before,
-                       const std::vector<Pose2>& goals) const;
+  /// stand for the others: a guess that is a little too high does no harm. If it is no more than
+  /// `enough`, anything up to that may be given.
+  double without_walls(const Pose2& from, bool backwards_before, const std::vector<Pose2>& goals,
+                       double enough) const;
 
  private:
   const Footprint& footprint_;

@@ -22,8 +22,21 @@ constexpr double kPi = std::numbers::pi;
 struct Polar {
   double radius, angle;
 };
-Polar polar(double x, double y) { return {std::hypot(x, y), std::atan2(y, x)}; }
-double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
+Polar polar(double x, double y) { return {std::sqrt(x * x + y * y), std::atan2(y, x)}; }
+double wrapped(double angle) { return angle - 2 * kPi * std::round(angle / (2 * kPi)); }
+
+/// A goal as the formulas see it: where the middle of its left circle and of its right one lie,
+/// from the middle of the left circle at the start.
+struct View {
+  explicit View(const WordGoal& goal)
+      : yaw(goal.yaw),
+        xi(goal.x + std::sin(yaw)),
+        eta(goal.y - 1 - std::cos(yaw)),
+        left(polar(goal.x - std::sin(yaw), goal.y - 1 + std::cos(yaw))),
+        right(polar(xi, eta)) {}
+  double yaw, xi, eta;
+  Polar left, right;
+};
 
 /// Lengths of a formula's arcs and straight: t, u, v of the paper.
 struct Lengths {
@@ -31,22 +44,22 @@ struct Lengths {
 };
 using Solution = std::optional<Lengths>;
 
-Solution left_straight_left(const WordGoal& g) {  // 8.1
-  const auto [u, t] = polar(g.x - std::sin(g.yaw), g.y - 1 + std::cos(g.yaw));
+Solution left_straight_left(const View& g) {  // 8.1
+  const auto [u, t] = g.left;
   const double v = wrapped(g.yaw - t);
   if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution left_straight_right(const WordGoal& g) {  // 8.2
-  const auto [far, angle] = polar(g.x + std::sin(g.yaw), g.y - 1 - std::cos(g.yaw));
+Solution left_straight_right(const View& g) {  // 8.2
+  const auto [far, angle] = g.right;
   if (far * far < 4) return std::nullopt;
   const double u = std::sqrt(far * far - 4);
   const double t = wrapped(angle + std::atan2(2, u)), v = wrapped(t - g.yaw);
   if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution left_right_left(const WordGoal& g) {  // 8.3 and 8.4
-  const auto [far, angle] = polar(g.x - std::sin(g.yaw), g.y - 1 + std::cos(g.yaw));
+Solution left_right_left(const View& g) {  // 8.3 and 8.4
+  const auto [far, angle] = g.left;
   if (far > 4) return std::nullopt;
   const double u = -2 * std::asin(0.25 * far);
   const double t = wrapped(angle + 0.5 * u + kPi), v = wrapped(g.yaw - t + u);
@@ -55,55 +68,51 @@ Solution left_right_left(const WordGoal& g) {  // 8.3 and 8.4
 }
 
 /// The outer arcs of the words of four arcs.
-std::pair<double, double> outer_arcs(double u, double v, double xi, double eta, double yaw) {
+std::pair<double, double> outer_arcs(double u, double v, const View& g) {
   const double delta = wrapped(u - v);
   const double a = std::sin(u) - std::sin(delta), b = std::cos(u) - std::cos(delta) - 1;
-  const double first = std::atan2(eta * a - xi * b, xi * a + eta * b);
+  const double first = std::atan2(g.eta * a - g.xi * b, g.xi * a + g.eta * b);
   const double second = 2 * (std::cos(delta) - std::cos(v) - std::cos(u)) + 3;
   const double tau = second < 0 ? wrapped(first + kPi) : wrapped(first);
-  return {tau, wrapped(tau - u + v - yaw)};
+  return {tau, wrapped(tau - u + v - g.yaw)};
 }
-Solution four_arcs_inner_opposed(const WordGoal& g) {  // 8.7: L+ R+u L-u R-
-  const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
-  const double rho = 0.25 * (2 + std::hypot(xi, eta));
+Solution four_arcs_inner_opposed(const View& g) {  // 8.7: L+ R+u L-u R-
+  const double rho = 0.25 * (2 + g.right.radius);
   if (rho > 1) return std::nullopt;
   const double u = std::acos(rho);
-  const auto [t, v] = outer_arcs(u, -u, xi, eta, g.yaw);
+  const auto [t, v] = outer_arcs(u, -u, g);
   if (t < -kNoLength || v > kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution four_arcs_inner_alike(const WordGoal& g) {  // 8.8: L+ R-u L-u R+
-  const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
-  const double rho = (20 - xi * xi - eta * eta) / 16;
+Solution four_arcs_inner_alike(const View& g) {  // 8.8: L+ R-u L-u R+
+  const double rho = (20 - g.right.radius * g.right.radius) / 16;
   if (rho < 0 || rho > 1) return std::nullopt;
   const double u = -std::acos(rho);
-  const auto [t, v] = outer_arcs(u, u, xi, eta, g.yaw);
+  const auto [t, v] = outer_arcs(u, u, g);
   if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution quarter_straight_left(const WordGoal& g) {  // 8.9: L+ R-(pi/2) S- L-
-  const auto [far, angle] = polar(g.x - std::sin(g.yaw), g.y - 1 + std::cos(g.yaw));
+Solution quarter_straight_left(const View& g) {  // 8.9: L+ R-(pi/2) S- L-
+  const auto [far, angle] = g.left;
   if (far < 2) return std::nullopt;
   const double r = std::sqrt(far * far - 4), u = 2 - r;
   const double t = wrapped(angle + std::atan2(r, -2)), v = wrapped(g.yaw - kPi / 2 - t);
   if (t < -kNoLength || u > kNoLength || v > kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution quarter_straight_right(const WordGoal& g) {  // 8.10: L+ R-(pi/2) S- R-
-  const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
-  const auto [far, t] = polar(-eta, xi);
+Solution quarter_straight_right(const View& g) {  // 8.10: L+ R-(pi/2) S- R-
+  const double far = g.right.radius, t = wrapped(g.right.angle + kPi / 2);
   if (far < 2) return std::nullopt;
   const double u = 2 - far, v = wrapped(t + kPi / 2 - g.yaw);
   if (t < -kNoLength || u > kNoLength || v > kNoLength) return std::nullopt;
   return Lengths{t, u, v};
 }
-Solution quarter_straight_quarter(const WordGoal& g) {  // 8.11: L+ R-(pi/2) S- L-(pi/2) R+
-  const double xi = g.x + std::sin(g.yaw), eta = g.y - 1 - std::cos(g.yaw);
-  const double far = std::hypot(xi, eta);
+Solution quarter_straight_quarter(const View& g) {  // 8.11: L+ R-(pi/2) S- L-(pi/2) R+
+  const double far = g.right.radius;
   if (far < 2) return std::nullopt;
   const double u = 4 - std::sqrt(far * far - 4);
   if (u > kNoLength) return std::nullopt;
-  const double t = wrapped(std::atan2((4 - u) * xi - 2 * eta, -2 * xi + (u - 4) * eta));
+  const double t = wrapped(std::atan2((4 - u) * g.xi - 2 * g.eta, -2 * g.xi + (u - 4) * g.eta));
   const double v = wrapped(t - g.yaw);
   if (t < -kNoLength || v < -kNoLength) return std::nullopt;
   return Lengths{t, u, v};
@@ -111,7 +120,7 @@ Solution quarter_straight_quarter(const WordGoal& g) {  // 8.11: L+ R-(pi/2) S- 
 
 /// A formula and the word its lengths make.
 struct Formula {
-  Solution (*solve)(const WordGoal&);
+  Solution (*solve)(const View&);
   const char* steer;
   std::array<double, 5> (*spell)(const Lengths&);
 };
@@ -150,16 +159,17 @@ std::vector<SteeringWord> reeds_shepp_words(const Pose2& from, const Pose2& to, 
   const double c = std::cos(goal.yaw), s = std::sin(goal.yaw);
   const WordGoal reversed{goal.x * c + goal.y * s, goal.x * s - goal.y * c, goal.yaw};
   std::vector<SteeringWord> words;
-  for (const Formula& formula : kFormulas) {
-    const std::string_view steer = formula.steer;
-    for (const bool backwards : {false, true}) {
-      for (const bool time : {false, true}) {
-        for (const bool mirror : {false, true}) {
-          WordGoal seen = backwards ? reversed : goal;
-          if (time) seen.x = -seen.x, seen.yaw = -seen.yaw;
-          if (mirror) seen.y = -seen.y, seen.yaw = -seen.yaw;
-          const Solution solution = formula.solve(seen);
+  for (const bool backwards : {false, true}) {
+    for (const bool time : {false, true}) {
+      for (const bool mirror : {false, true}) {
+        WordGoal seen = backwards ? reversed : goal;
+        if (time) seen.x = -seen.x, seen.yaw = -seen.yaw;
+        if (mirror) seen.y = -seen.y, seen.yaw = -seen.yaw;
+        const View view(seen);
+        for (const Formula& formula : kFormulas) {
+          const Solution solution = formula.solve(view);
           if (!solution) continue;
+          const std::string_view steer = formula.steer;
           const auto lengths = formula.spell(*solution);
           SteeringWord word;
           for (std::size_t i = 0; i < steer.size(); ++i) {
