@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "plugins/planner/drive_repair.hpp"
 
@@ -18,52 +19,90 @@ namespace {
 constexpr double kPart = 160, kBefore = 60, kLeast = 5;
 // Metres smoothed with a place driven anew: before, behind, and of these kept.
 constexpr double kLeadIn = 20, kLeadOut = 60, kKept = 5;
-constexpr double kLook = 0.01;  // metres before a place that tell how the wheels stand there
+constexpr double kNearStart = 20;  // metres: driven anew from the start in any case
+constexpr double kLook = 0.01;     // metres before a place that tell how the wheels stand there
 
 class PartDriver {
  public:
   PartDriver(const DriveSite& site, const RouteLine& line, const DriveEnds& ends)
       : site_(site), line_(line), ends_(ends), curve_{ends.start, {}}, here_(ends.start) {}
 
-  std::optional<DriveCurve> drive() {
+  DrivenInParts drive() {
     const int most = 40 + static_cast<int>(line_.length() / 10);
     for (int part = 0; part < most && !done_; ++part) {
       site_.checkpoint();
-      if (!drive_part()) return std::nullopt;
+      if (line_.length() - along_ < 1) break;  // at its end, yet not arrived
+      if (auto stuck = drive_part()) return {curve_, stuck};
     }
-    if (!done_ || obstruction_of(site_, curve_, ends_)) return std::nullopt;
-    return curve_;
+    if (const auto stuck = obstruction_of(site_, curve_, ends_))
+      return {curve_, DriveGuess{curve_, *stuck}};
+    return {curve_, std::nullopt};
   }
 
  private:
-  /// Smooths the next part, or drives anew what obstructs it at once.
-  bool drive_part() {
+  /// Smooths the next part, or drives anew what obstructs it at once. What it gives is where that
+  /// fails.
+  std::optional<DriveGuess> drive_part() {
     const bool last = along_ + 1.25 * kPart >= line_.length();
     const double to = last ? line_.length() : along_ + kPart;
-    if (to - along_ < 1) return false;  // at its end, yet not arrived
     const DriveEnds ends = ends_until(to, last);
     const RouteLine line = line_.between(along_, to);
     auto smooth = smoothed_along(site_, line, ends);
-    const DriveCurve next =
-        smooth && arrives(*smooth, ends) ? *smooth : straight_guess(line, here_, ends.goal);
-    const auto found = obstruction_of(site_, next, ends);
-    if (!found && last) {
-      keep(next);
-      done_ = true;
-      return true;
+    // In a heading of its own choice it may be that the truck cannot even stand.
+    if (smooth && site_.ground.obstruction_at(smooth->start)) smooth.reset();
+    const DriveCurve next = smooth ? *smooth : straight_guess(line, here_, ends.goal);
+    const auto found =
+        smooth ? obstruction_or_stray(site_, next, line, ends) : obstruction_of(site_, next, ends);
+    if (!found) {
+      keep(last ? next : part_of(next, 0, next.length() / 2));
+      done_ = last;
+      return std::nullopt;
     }
-    const double kept = found ? found->along - kBefore : next.length() / 2;
-    if (kept < kLeast && found) return drive_anew(next, *found, ends, last);
-    keep(part_of(next, 0, kept));
-    return true;
+    if (found->along >= kBefore + kLeast) {
+      keep(part_of(next, 0, found->along - kBefore));
+      return std::nullopt;
+    }
+    std::vector<DriveGuess> guesses{{next, *found}};
+    if (smooth) guesses.insert(guesses.begin(), back_to_line(next, *found, line, ends.goal));
+    if (smooth && ends.free_heading && found->along < kNearStart) {
+      const DriveCurve guess = straight_guess(line, here_, ends.goal);
+      if (const auto place = obstruction_of(site_, guess, ends))
+        guesses.insert(guesses.begin(), {guess, *place});
+    }
+    return drive_past(guesses, ends, last);
   }
 
-  bool drive_anew(const DriveCurve& next, Obstruction found, const DriveEnds& ends, bool last) {
+  /// Drives one of some guesses anew where it is obstructed.
+  std::optional<DriveGuess> drive_past(const std::vector<DriveGuess>& guesses,
+                                       const DriveEnds& ends, bool last) {
+    for (const DriveGuess& guess : guesses)
+      if (drive_anew(behind(guess), ends, last, false)) return std::nullopt;
+    // Reversing reaches whatever is free, so that one guess of where to go on is as good as
+    // another.
+    const DriveGuess& first = guesses.front();
+    if (site_.request.allow_reverse && drive_anew(behind(first), ends, last, true))
+      return std::nullopt;
+    return behind(first);
+  }
+
+  /// A guess behind what was driven so far.
+  DriveGuess behind(DriveGuess guess) const {
+    guess.curve = with(guess.curve);
+    guess.obstruction.along += curve_.length();
+    return guess;
+  }
+
+  /// What was driven, and a part behind it.
+  DriveCurve with(const DriveCurve& part) const {
     DriveCurve whole = curve_;
-    if (whole.pieces.empty()) whole.start = next.start;
-    found.along += curve_.length();
-    append(whole, next);
-    const auto anew = repair_drive(site_, whole, found, ends.goal);
+    if (whole.pieces.empty()) whole.start = part.start;
+    append(whole, part);
+    return whole;
+  }
+
+  bool drive_anew(const DriveGuess& guess, const DriveEnds& ends, bool last, bool reverse) {
+    DriveCurve whole = guess.curve;
+    const auto anew = repair_drive(site_, whole, guess.obstruction, ends.goal, reverse);
     if (!anew) return false;
     done_ = last && anew->to >= whole.length() - 1e-6;
     const double from = anew->from > kLeadIn + kLook ? anew->from - kLeadIn : 0;
@@ -83,8 +122,7 @@ class PartDriver {
   }
 
   void keep(const DriveCurve& part) {
-    if (curve_.pieces.empty()) curve_.start = part.start;
-    append(curve_, part);
+    curve_ = with(part);
     arrive(part.end(), part.length());
   }
 
@@ -124,8 +162,7 @@ class PartDriver {
 
 }  // namespace
 
-std::optional<DriveCurve> drive_in_parts(const DriveSite& site, const RouteLine& line,
-                                         const DriveEnds& ends) {
+DrivenInParts drive_in_parts(const DriveSite& site, const RouteLine& line, const DriveEnds& ends) {
   return PartDriver(site, line, ends).drive();
 }
 

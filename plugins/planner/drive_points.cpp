@@ -43,8 +43,6 @@ std::size_t cusps_of(const DriveCurve& curve) {
       std::count_if(breaks.begin(), breaks.end(), [](const Break& place) { return place.cusp; }));
 }
 
-std::size_t jumps_of(const DriveCurve& curve) { return breaks_of(curve).size() - cusps_of(curve); }
-
 std::vector<PathPoint> drive_points(const DriveCurve& curve, const Drivability& ground,
                                     const ElevationGrid* elevation, double step) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

@@ -15,7 +15,5 @@ std::vector<PathPoint> drive_points(const DriveCurve& curve, const Drivability& 
 
 /// How often a curve changes direction.
 std::size_t cusps_of(const DriveCurve& curve);
-/// How often curvature jumps where the direction does not change.
-std::size_t jumps_of(const DriveCurve& curve);
 
 }  // namespace stope::planner

@@ -1,8 +1,7 @@
 // Problem: somewhere along a drive the truck touches something, or would have to turn too tightly.
 // Idea: a hybrid search drives anew from some metres before that place to as far behind it; if it
-// finds nothing, from farther away, and last by reversing where the truck may. What would help is
-// found out by searching as another truck would. Cost: one search for each distance, up to twelve
-// for remedies.
+// finds nothing, from farther away. What would help is found out by searching as another truck
+// would. Cost: one search for each distance, up to twelve for remedies.
 #include "plugins/planner/drive_repair.hpp"
 
 #include <algorithm>
@@ -16,6 +15,7 @@ namespace stope::planner {
 namespace {
 
 constexpr double kSpans[] = {20, 45, 90};  // metres before and behind an obstruction
+constexpr double kPosesPerMetre = 300;     // of a span: looked at before giving up
 
 Pose2 pose_at(const DriveCurve& curve, double along) { return part_of(curve, along, along).start; }
 
@@ -75,22 +75,20 @@ HybridResult search(const DriveSite& site, const DriveCurve& curve, double from,
 }  // namespace
 
 std::optional<DrivenAnew> repair_drive(const DriveSite& site, DriveCurve& curve,
-                                       const Obstruction& obstruction, const Pose2& goal) {
-  for (const bool reverse : {false, true}) {
-    if (reverse && !site.request.allow_reverse) break;
-    for (const double span : kSpans) {
-      const double from = std::max(0.0, obstruction.along - span);
-      const Goals goals = goals_behind(site, curve, obstruction.along + span, goal);
-      const auto most = static_cast<std::size_t>(span * (reverse ? 1000 : 300));
-      const auto found = search(site, curve, from, goals, site.ground,
-                                {reverse, site.request.vehicle.turning_radius, most});
-      if (!found.curve) continue;
-      DriveCurve spliced = part_of(curve, 0, from);
-      append(spliced, *found.curve);
-      append(spliced, part_of(curve, goals.along_of(found.curve->end()), curve.length()));
-      curve = std::move(spliced);
-      return DrivenAnew{from, from + found.curve->length()};
-    }
+                                       const Obstruction& obstruction, const Pose2& goal,
+                                       bool reverse) {
+  for (const double span : kSpans) {
+    const double from = std::max(0.0, obstruction.along - span);
+    const Goals goals = goals_behind(site, curve, obstruction.along + span, goal);
+    const auto most = static_cast<std::size_t>(span * kPosesPerMetre);
+    const auto found = search(site, curve, from, goals, site.ground,
+                              {reverse, site.request.vehicle.turning_radius, most});
+    if (!found.curve) continue;
+    DriveCurve spliced = part_of(curve, 0, from);
+    append(spliced, *found.curve);
+    append(spliced, part_of(curve, goals.along_of(found.curve->end()), curve.length()));
+    curve = std::move(spliced);
+    return DrivenAnew{from, from + found.curve->length()};
   }
   return std::nullopt;
 }
@@ -99,7 +97,8 @@ Remedies remedies_at(const DriveSite& site, const DriveCurve& curve, const Obstr
                      const Pose2& goal) {
   const double from = std::max(0.0, obstruction.along - kSpans[1]);
   const Goals goals = goals_behind(site, curve, obstruction.along + kSpans[1], goal);
-  constexpr std::size_t kMost = 8000, kMostBack = 45000;
+  constexpr std::size_t kMost = 8000;
+  constexpr auto kMostBack = static_cast<std::size_t>(kSpans[1] * kPosesPerMetre);
   const auto passes = [&](double radius, const ElevationGrid* elevation, bool reverse) {
     Vehicle vehicle = site.request.vehicle;
     vehicle.turning_radius = radius;

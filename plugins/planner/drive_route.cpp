@@ -1,10 +1,8 @@
 // Problem: turn a planned line into a way a truck can drive, or say where and why it cannot.
 // Idea: a simple driver follows the line, and the optimizer smooths what comes out; mostly that is
-// all. What the check then refuses is driven anew by a hybrid search from some way before it to
-// some way behind, farther and farther, and the whole is smoothed once more. Where smoothing the
-// whole fails, it is done part by part. Nothing leaves here that the check has not passed.
-// Cost: O(pieces) for each round of smoothing; a search where it fails, twice where the truck may
-// reverse and has to.
+// all. Where it fails somewhere, the line is driven part by part, so that only the places that need
+// it are driven otherwise. Nothing leaves here that the check has not passed.
+// Cost: O(pieces) for each round of smoothing, and a few searches for each place where it fails.
 #include "plugins/planner/drive_route.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +12,6 @@
 #include <optional>
 
 #include "plugins/planner/drive_parts.hpp"
-#include "plugins/planner/drive_points.hpp"
 #include "plugins/planner/drive_repair.hpp"
 #include "plugins/planner/drive_smoothing.hpp"
 #include "plugins/planner/refusal.hpp"
@@ -24,10 +21,6 @@
 
 namespace stope::planner {
 namespace {
-
-constexpr int kFewRepairs = 20;  // and one more for each 10 m
-
-std::size_t stops_of(const DriveCurve& curve) { return jumps_of(curve) + cusps_of(curve); }
 
 class RouteDriver {
  public:
@@ -42,51 +35,16 @@ class RouteDriver {
     ends.free_heading = !site_.request.start_heading.has_value();
     ends.goal_heading = site_.request.goal_heading;
     const auto smooth = smoothed_along(site_, line_, ends);
-    const bool arrived = smooth && arrives(*smooth, ends);
-    if (arrived && !site_.ground.first_obstruction(*smooth)) return *smooth;
-    // First without reversing: that it is allowed must not make a way worse.
-    DriveRequest forwards = site_.request;
-    forwards.allow_reverse = false;
-    const DriveSite ahead{site_.grid, site_.elevation, site_.field, forwards, site_.checkpoint};
-    for (const DriveSite* site : {&ahead, &site_}) {
-      std::optional<DriveCurve> driven;
-      if (arrived) {
-        DriveCurve curve = *smooth;
-        driven = repaired(*site, curve, ends);
-      }
-      if (!driven || stops_of(*driven) > 0) {
-        const auto in_parts = drive_in_parts(*site, line_, ends);
-        if (in_parts && (!driven || stops_of(*in_parts) < stops_of(*driven))) driven = in_parts;
-      }
-      if (driven) return *driven;
-      if (!site_.request.allow_reverse) break;
-    }
-    // The line itself: what comes out of smoothing can lead far into the walls.
-    DriveCurve curve = straight_guess(line_, ends.start, ends.goal);
-    if (const auto driven = repaired(site_, curve, ends)) return *driven;
-    refuse(curve, *obstruction_of(site_, curve, ends), ends.goal);
+    if (smooth && !obstruction_of(site_, *smooth, ends)) return *smooth;
+    const DrivenInParts driven = drive_in_parts(site_, line_, ends);
+    if (driven.stuck) refuse(*driven.stuck, ends.goal);
+    return driven.curve;
   }
 
  private:
-  /// Drives anew what cannot be driven, place by place; `curve` is left at the first where that
-  /// fails.
-  std::optional<DriveCurve> repaired(const DriveSite& site, DriveCurve& curve,
-                                     const DriveEnds& ends) const {
-    int repairs = 0;
-    const int most = kFewRepairs + static_cast<int>(line_.length() / 10);
-    for (auto obstruction = obstruction_of(site_, curve, ends); obstruction;
-         obstruction = obstruction_of(site_, curve, ends)) {
-      if (++repairs > most || !repair_drive(site, curve, *obstruction, ends.goal))
-        return std::nullopt;
-    }
-    DriveEnds own = ends;
-    own.start = curve.start;
-    return smoothed_again(site, curve, own).value_or(curve);
-  }
-
-  [[noreturn]] void refuse(const DriveCurve& curve, Obstruction obstruction,
-                           const Pose2& goal) const {
-    const Remedies remedies = remedies_at(site_, curve, obstruction, goal);
+  [[noreturn]] void refuse(const DriveGuess& stuck, const Pose2& goal) const {
+    Obstruction obstruction = stuck.obstruction;
+    const Remedies remedies = remedies_at(site_, stuck.curve, obstruction, goal);
     if (obstruction.kind == Obstruction::Kind::kTurn) {
       // The line is too tight here: what the truck would touch if it followed as tightly as it can
       // is the reason, if it touches anything.

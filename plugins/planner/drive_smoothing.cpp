@@ -91,19 +91,4 @@ std::optional<DriveCurve> smoothed_again(const DriveSite& site, const DriveCurve
   return again;
 }
 
-DriveCurve straight_guess(const RouteLine& line, const Pose2& start, const Pose2& goal) {
-  DriveCurve curve{start, {}};
-  Pose2 pose = start;
-  for (double along = 1; along <= line.length(); along += 1) {
-    const Vector2 next = along + 1 > line.length() ? Vector2(goal.x, goal.y) : line.at(along);
-    const Vector2 way = next - Vector2(pose.x, pose.y);
-    if (way.norm() < 1e-3) continue;
-    const double turn = std::remainder(std::atan2(way.y(), way.x()) - pose.yaw, 2 * M_PI);
-    if (std::abs(turn) > 1e-6) curve.pieces.push_back({1e-3, turn / 1e-3, turn / 1e-3});
-    curve.pieces.push_back({way.norm(), 0, 0});
-    pose = {next.x(), next.y(), pose.yaw + turn};
-  }
-  return curve;
-}
-
 }  // namespace stope::planner

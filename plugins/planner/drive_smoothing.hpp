@@ -35,8 +35,4 @@ std::optional<DriveCurve> smoothed_along(const DriveSite& site, const RouteLine&
 std::optional<DriveCurve> smoothed_again(const DriveSite& site, const DriveCurve& curve,
                                          const DriveEnds& ends);
 
-/// The line itself as if it could be driven, in straight pieces with jumps of heading taken as
-/// bends of a millimetre. A check refuses it at once, so that it is driven anew place by place.
-DriveCurve straight_guess(const RouteLine& line, const Pose2& start, const Pose2& goal);
-
 }  // namespace stope::planner

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "plugins/metric/drive_validity.hpp"
 #include "stope/digest.hpp"
@@ -245,28 +246,53 @@ TEST(Smooth, RefusesPathsThatAreNone) {
       "longer than the truck");
 }
 
-TEST(Smooth, OneSharpBendLeavesTheRestOfTheRouteSmooth) {
-  // 600 m of gentle bends, and a corner of 90 degrees between walls that no single arc of the truck
-  // rounds. Only there it may stand while its wheels turn.
-  Places line{{20, 20}, {195, 20}, {195, 62}, {20, 62}, {20, 110}, {195, 110}};
-  const OccupancyGrid grid = roads_of(15, {line}, false);
-  const Path path = smooth(path_of(line), grid)
-                        .set("turning_radius", 13.0)
-                        .set("allow_reverse", true)
-                        .apply<Path>();
+// Four right angles between walls, 600 m in all.
+const Places kZigzag{{20, 20}, {195, 20}, {195, 62}, {20, 62}, {20, 110}, {195, 110}};
+
+metric::DriveValidity judge_turning(const Path& path, const OccupancyGrid& grid, double radius) {
   metric::TruckLimits truck;
-  truck.turning_radius = 13;
-  const auto found = metric::check_drive(path, grid, nullptr, truck);
+  truck.turning_radius = radius;
+  return metric::check_drive(path, grid, nullptr, truck);
+}
+
+TEST(Smooth, OneSharpBendLeavesTheRestOfTheRouteSmooth) {
+  // Wheels that take 40 m from straight to full lock can just round these corners on the move, one
+  // by one: smoothing the whole route fails at one of them. Driven place by place in arcs, as it
+  // was once, the truck stands 26 times; following smoothing where it goes astray, 11 times.
+  const OccupancyGrid grid = roads_of(15, {kZigzag}, false);
+  const Path path = smooth(path_of(kZigzag), grid).set("steering_distance", 40.0).apply<Path>();
+  const auto found = judge_turning(path, grid, 12);
   EXPECT_EQ(found.violations(), 0U) << found.first;
-  for (std::size_t i = 1; i + 1 < path.points.size(); ++i) {
-    if (path.points[i].speed != 0) continue;
-    double nearest = 1e9;
-    for (std::size_t corner = 1; corner + 1 < line.size(); ++corner)
-      nearest = std::min(nearest, std::hypot(path.points[i].x - line[corner].first,
-                                             path.points[i].y - line[corner].second));
-    EXPECT_LT(nearest, 50) << "stands at " << path.points[i].x << ", " << path.points[i].y;
-  }
-  EXPECT_LT(found.standstills, 40U);
+  EXPECT_LE(found.standstills, 4U);
+  const Path quick = smooth(path_of(kZigzag), grid).apply<Path>();
+  EXPECT_EQ(judge_turning(quick, grid, 12).standstills, 0U);
+}
+
+TEST(Smooth, WarnsWhereTheTruckStandsOftenToTurnItsWheels) {
+  const OccupancyGrid grid = roads_of(12, {kZigzag}, false);
+  auto often = smooth(path_of(kZigzag), grid);
+  const Path path = often.set("steering_distance", 40.0).set("turning_radius", 13.0).apply<Path>();
+  const auto found = judge_turning(path, grid, 13);
+  EXPECT_EQ(found.violations(), 0U) << found.first;
+  EXPECT_EQ(found.cusps, 0U);
+  ASSERT_GT(found.standstills, 7U);
+  // The log counts what the validator counts.
+  const std::string count = std::to_string(found.standstills);
+  const auto& sentences = often.context().sentences;
+  ASSERT_GE(sentences.size(), 2U);
+  expect_sentence(sentences[sentences.size() - 2], "standstills: " + count + " (0 to change direc");
+  expect_sentence(sentences.back(), "there are " + count + " standstills to turn the wheels, one");
+
+  auto never = smooth(path_of(kZigzag), grid);
+  never.apply<Path>();
+  expect_sentence(never.context().sentences.back(), "no standstills");
+}
+
+TEST(Smooth, SaysThatAStraightRoadHasNoBend) {
+  const OccupancyGrid grid = roads_of(16, {{{20, 20}, {150, 20}}});
+  auto stage = smooth(path_of({{30, 20}, {140, 20}}), grid);
+  stage.apply<Path>();
+  expect_sentence(stage.context().sentences.back(), "drivable: 110.0 m, no bend, the outline");
 }
 
 TEST(Smooth, AllowedReversingChangesNothingWhereItCanGoForwards) {
