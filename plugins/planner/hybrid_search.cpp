@@ -21,10 +21,15 @@
 namespace stope::planner {
 namespace {
 
-constexpr double kCell = 1, kStep = 1.6;  // metres
-// To and fro reaches every heading everywhere: bins half as fine find as much in a third of the
-// poses. Forwards a step must leave its bin, or ways in narrow places are lost.
-constexpr int kHeadings = 72, kHeadingsBothWays = 36;
+constexpr double kStep = 1.6;  // metres
+// Of what poses that count as one span; by a step nearly every one leaves its cell.
+struct Bins {
+  double cell = 1;  // metres
+  double headings = 72;
+};
+// To and fro every heading is reached everywhere: coarser bins find as much in a fifth of the
+// poses.
+constexpr Bins kForwards{}, kBothWays{1.5, 36};
 constexpr std::size_t kMostWords = 6;  // tried from one pose
 constexpr std::size_t kEveryTurn = 8;  // poses from one turn to the walls to the next
 constexpr double kFromWall = 0.1;      // metres
@@ -56,6 +61,7 @@ class Search {
         ground_(ground),
         field_(field),
         rules_(rules),
+        bins_(rules.allow_reverse ? kBothWays : kForwards),
         costs_(ground.footprint(), rules.turning_radius, rules.allow_reverse),
         distance_(field, goals, ground.vehicle().width / 2) {}
 
@@ -103,11 +109,10 @@ class Search {
     const auto bin = [](double value) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)) + (1 << 20));
     };
-    const Vector2 at = field_.to_field(pose.x, pose.y) * (field_.cell() / kCell);
+    const Vector2 at = field_.to_field(pose.x, pose.y) * (field_.cell() / bins_.cell);
     const double turn = std::remainder(pose.yaw, 2 * std::numbers::pi) / (2 * std::numbers::pi);
-    const double headings = rules_.allow_reverse ? kHeadingsBothWays : kHeadings;
     const auto heading = static_cast<std::uint64_t>(
-        std::clamp(std::floor((turn + 0.5) * headings), 0.0, headings - 1));
+        std::clamp(std::floor((turn + 0.5) * bins_.headings), 0.0, bins_.headings - 1));
     return ((bin(at.x()) << 21 | bin(at.y())) << 8 | heading) << 1 | (by.length < 0 ? 1 : 0);
   }
 
@@ -222,6 +227,7 @@ class Search {
   const Drivability& ground_;
   const ClearanceField& field_;
   const HybridRules& rules_;
+  const Bins bins_;
   const ManoeuvreCosts costs_;
   FreeGroundDistance distance_;
   std::vector<Reached> reached_;
