@@ -133,6 +133,15 @@ struct CachedRun::State {
     }
   }
 
+  void warn_of_damaged_records() const {
+    const std::size_t damaged = store ? store->stages.damaged() : 0;
+    if (damaged > 0)
+      observer.log(LogLevel::kWarning, "",
+                   fmt::format("{} in the store {} damaged: what {} told of is computed anew",
+                               damaged == 1 ? "a record" : fmt::format("{} records", damaged),
+                               damaged == 1 ? "is" : "are", damaged == 1 ? "it" : "they"));
+  }
+
   void warn_of_changed_inputs() const {
     for (const std::filesystem::path& path : inputs->changed())
       observer.log(LogLevel::kWarning, "",
@@ -176,6 +185,7 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
   // What is found damaged is removed, so that each attempt takes less from the store.
   for (std::size_t attempt = 0;; ++attempt) {
     state.reuse = state.decided(wanted, state.use.take && attempt <= state.plan.stages.size());
+    if (attempt == 0) state.warn_of_damaged_records();
     state.inputs.emplace(state.plan, state.keys, state.reuse.fates, *state.digests);
     state.tell();
     std::vector<Sink> sinks = sinks_of(state.reuse);
@@ -201,8 +211,10 @@ RunRecord CachedRun::run(const std::vector<PlannedSource>& asked,
     if (const std::string complaint = keeper.complaint(); !complaint.empty())
       state.complain(complaint);
     if (record.end == RunRecord::End::kFailed && catalogue.damaged()) {
-      state.observer.log(LogLevel::kWarning, record.failed_stage,
-                         "something in the store was damaged or removed; it is computed anew");
+      state.observer.log(
+          LogLevel::kWarning, record.failed_stage,
+          "what the store had of this stage was damaged or removed: the run begins again, "
+          "and computes it anew");
       continue;
     }
     if (record.end == RunRecord::End::kDone) state.note_warnings(memory);

@@ -29,6 +29,8 @@ std::filesystem::path KeptStages::file_of(const Digest& key) const {
 
 std::optional<KeptStage> KeptStages::find(const Digest& key) const {
   auto kept = load_checked<KeptStage>(file_of(key));
+  std::error_code ignored;
+  if (!kept && std::filesystem::exists(file_of(key), ignored)) ++damaged_;
   if (kept && kept->format != KeptStage::kFormat) kept.reset();
   return kept;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -61,18 +62,21 @@ struct KeptStage {
 };
 
 /// Which objects the outputs of a stage are, by its key: `stages/ab/cdef…`, a small file each. A
-/// file that is damaged is as good as none.
+/// file that is damaged is as good as none, but counted.
 class KeptStages {
  public:
   /// Makes the folder under a store's root. Throws Error if it cannot.
   explicit KeptStages(const std::filesystem::path& root);
   std::optional<KeptStage> find(const Digest& key) const;
+  /// Files of this store that find() could not read.
+  std::size_t damaged() const { return damaged_; }
   /// Adds outputs to what is known of a key. Throws Error if the disk is full.
   void save(const Digest& key, const KeptStage& stage);
 
  private:
   std::filesystem::path file_of(const Digest& key) const;
   std::filesystem::path folder_;
+  mutable std::atomic<std::size_t> damaged_{0};
 };
 
 }  // namespace stope

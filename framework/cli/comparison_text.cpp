@@ -75,6 +75,11 @@ std::string exclusions_text(const Comparison& comparison) {
   return text;
 }
 
+std::string count_text(std::ptrdiff_t recordings) {
+  return recordings == 1 ? "one recording, [least, most] of its pairs"
+                         : fmt::format("{} recordings", recordings);
+}
+
 std::string timings_text(const Comparison& comparison) {
   std::string text;
   for (std::size_t arm = 0; arm < comparison.arms.size(); ++arm) {
@@ -82,10 +87,11 @@ std::string timings_text(const Comparison& comparison) {
                                      [&](const TimedPair& timed) { return timed.arm == arm; });
     if (count == 0) continue;
     const TimingSummary summary = summary_of(comparison, arm);
-    text += fmt::format("  {}: {:.3g} s, {} {:.3g} s, ratio {:.3g} [{:.3g}, {:.3g}] over {}\n",
-                        comparison.arms[arm].name, summary.arm.median,
-                        comparison.arms[comparison.baseline].name, summary.baseline.median,
-                        summary.ratio.median, summary.ratio.least, summary.ratio.most, count);
+    text += fmt::format(
+        "  {}: {:.3g} s, {} {:.3g} s, ratio pair by pair {:.3g} [{:.3g}, {:.3g}] over {}\n",
+        comparison.arms[arm].name, summary.arm.median, comparison.arms[comparison.baseline].name,
+        summary.baseline.median, summary.ratio.median, summary.ratio.least, summary.ratio.most,
+        count_text(count));
   }
   if (text.empty()) return text;
   return "Times of the arms' own stages, medians [least, most]; timings.csv has all of them:\n" +

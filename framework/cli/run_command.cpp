@@ -77,6 +77,21 @@ void print_text(const PipelineRun& run, bool quiet) {
   }
 }
 
+/// The runs of a comparison are its own: it would compute anew what another run wrote over.
+void refuse_runs_of_comparisons(const std::filesystem::path& folder) {
+  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+  for (std::filesystem::path above = whole.parent_path(); above != above.root_path();
+       above = above.parent_path()) {
+    std::error_code ignored;
+    if (std::filesystem::exists(above / "comparison.json", ignored))
+      throw Error(
+          fmt::format("{} lies in the folder of a comparison, {}, whose runs are its own. Choose "
+                      "another folder "
+                      "with --out.",
+                      folder.string(), above.string()));
+  }
+}
+
 }  // namespace
 
 int run_command(const Arguments& arguments) {
@@ -86,6 +101,7 @@ int run_command(const Arguments& arguments) {
   const std::filesystem::path folder =
       arguments.out.empty() ? std::filesystem::path("out") / arguments.pipeline.stem()
                             : arguments.out;
+  refuse_runs_of_comparisons(folder);
   const std::optional<EarlierRun> earlier = earlier_run(folder);
   const Interrupt interrupt;
   PipelineRun run;

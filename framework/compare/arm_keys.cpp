@@ -1,7 +1,5 @@
 #include "framework/compare/arm_keys.hpp"
 
-#include <algorithm>
-
 #include "framework/cache/file_digests.hpp"
 #include "framework/cache/store_folder.hpp"
 #include "framework/plugins/sdk_build.hpp"
@@ -25,18 +23,6 @@ std::vector<StageKey> arm_keys(const CompareJob& job, const Plan& plan, std::uin
   std::vector<StageKey> keys = stage_keys(plan, job.catalogue, facts);
   if (is_there) digests.save();
   return keys;
-}
-
-std::string sources_key(const Plan& plan, const std::vector<StageKey>& keys) {
-  Digester digester;
-  for (std::size_t i = 0; i < plan.stages.size(); ++i) {
-    const auto& inputs = plan.stages[i].inputs;
-    if (std::any_of(inputs.begin(), inputs.end(), [](const auto& in) { return in.has_value(); }))
-      continue;
-    if (keys[i].only_this_run) return {};
-    encode(keys[i].digest.text(), digester);
-  }
-  return digester.digest().text();
 }
 
 std::string cell_key(const Experiment& experiment, const PlannedArm& arm,

@@ -13,10 +13,6 @@ namespace stope {
 std::vector<StageKey> arm_keys(const CompareJob& job, const Plan& plan, std::uint64_t seed,
                                const std::string& run);
 
-/// The key of all that a cell is made from: of the stages that nothing is wired to. Empty if one of
-/// them may give other bytes each time.
-std::string sources_key(const Plan& plan, const std::vector<StageKey>& keys);
-
 /// The key of all that a cell leaves: of its outputs by their names, and of its metrics.
 std::string cell_key(const Experiment& experiment, const PlannedArm& arm,
                      const std::vector<StageKey>& keys);

@@ -133,8 +133,9 @@ struct Comparison {
   std::string version;           ///< of Stope
   std::string started, ended;    ///< UTC, `2026-11-22T18:12:31.250Z`; `ended` empty: it goes on
   int threads = 0;
-  bool complete = false;     ///< no cell is pending
-  std::size_t baseline = 0;  ///< place in `arms`
+  bool complete = false;         ///< no cell is pending
+  std::size_t baseline = 0;      ///< place in `arms`
+  std::vector<std::string> set;  ///< what all arms change, as `--set` takes it
   std::vector<ComparedArm> arms;
   std::vector<ComparedRecording> recordings;
   std::vector<std::uint64_t> seeds;

@@ -194,6 +194,8 @@ Comparison read(const Json& json) {
   comparison.ended = json.at("ended");
   comparison.threads = json.at("threads");
   comparison.complete = json.at("complete");
+  // Not there in those of earlier Stopes.
+  if (json.contains("set")) comparison.set = json.at("set").get<std::vector<std::string>>();
   comparison.arms = read_list(json.at("arms"), read_arm);
   comparison.recordings = read_list(json.at("recordings"), read_recording);
   comparison.seeds = json.at("seeds").get<std::vector<std::uint64_t>>();
@@ -227,6 +229,7 @@ std::string comparison_json(const Comparison& comparison) {
             {"threads", comparison.threads},
             {"complete", comparison.complete},
             {"baseline", comparison.arms[comparison.baseline].name}};
+  json["set"] = comparison.set;
   json["arms"] = list_of(comparison.arms, arm_json);
   json["recordings"] = list_of(comparison.recordings, recording_json);
   json["seeds"] = comparison.seeds;

@@ -13,6 +13,7 @@
 #include "framework/compare/arm_record.hpp"
 #include "framework/compare/cell_run.hpp"
 #include "framework/compare/merge_plans.hpp"
+#include "framework/compare/new_comparison.hpp"
 #include "framework/pipeline/variables.hpp"
 #include "stope/error.hpp"
 
@@ -98,14 +99,26 @@ class GroupRun {
     RunFacts facts;
     facts.version = job_.options.version;
     facts.command = job_.options.command;
-    facts.overrides = comparison_.recordings[recording].overrides;
-    const auto& own = comparison_.arms[arm].overrides;
-    facts.overrides.insert(facts.overrides.end(), own.begin(), own.end());
+    facts.overrides = overrides_of(arm, recording);
     facts.working_folder = std::filesystem::absolute(job_.experiment.file).parent_path();
     facts.threads = job_.options.threads;
     facts.memory = job_.options.memory;
     facts.seed = seed_;
     return facts;
+  }
+
+  // As the command line of `stope run` would have them, so that the run can be replayed. The seed
+  // of a recording is not among them: it is the run's.
+  std::vector<std::string> overrides_of(std::size_t arm, std::size_t recording) const {
+    std::vector<Override> all;
+    for (const auto* list :
+         {&job_.experiment.overrides, &job_.experiment.recordings[recording].overrides,
+          &job_.experiment.arms[arm].overrides})
+      for (const Override& change : *list) {
+        std::erase_if(all, [&](const Override& earlier) { return earlier.key == change.key; });
+        all.push_back(change);
+      }
+    return texts_of(all);
   }
 
   template <class F>

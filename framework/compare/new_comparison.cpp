@@ -11,13 +11,6 @@
 namespace stope {
 namespace {
 
-std::vector<std::string> texts_of(const std::vector<Override>& overrides) {
-  std::vector<std::string> texts;
-  for (const Override& change : overrides)
-    texts.push_back(change.key + "=" + flow_text(change.value));
-  return texts;
-}
-
 // What is wired, and the parameters that are not as they would be by themselves.
 std::string line_of(const Plan& plan, const PlannedStage& stage) {
   std::string inputs, parameters;
@@ -79,6 +72,13 @@ void exclude_what_is_missing(const CompareJob& job, Comparison& comparison) {
 
 }  // namespace
 
+std::vector<std::string> texts_of(const std::vector<Override>& overrides) {
+  std::vector<std::string> texts;
+  for (const Override& change : overrides)
+    texts.push_back(change.key + "=" + flow_text(change.value));
+  return texts;
+}
+
 Comparison new_comparison(const CompareJob& job) {
   Comparison comparison;
   comparison.name = job.experiment.name;
@@ -89,6 +89,7 @@ Comparison new_comparison(const CompareJob& job) {
   comparison.threads = job.options.threads;
   comparison.baseline = job.experiment.baseline;
   comparison.seeds = job.experiment.seeds;
+  comparison.set = texts_of(job.experiment.overrides);
   for (std::size_t arm = 0; arm < job.experiment.arms.size(); ++arm)
     comparison.arms.push_back(arm_of(job, arm));
   for (const Variant& recording : job.experiment.recordings)

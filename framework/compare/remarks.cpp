@@ -115,7 +115,7 @@ std::string expected_remark(std::size_t recordings, std::size_t arms, std::size_
   const std::size_t beside = arms > 0 ? arms - 1 : 0;
   std::string text = too_few_text(recordings, beside * metrics);
   if (!text.empty())
-    text += fmt::format(" There are {} beside the baseline and {}.",
+    text += fmt::format(" There {} {} beside the baseline and {}.", beside == 1 ? "is" : "are",
                         beside == 1 ? "one arm" : fmt::format("{} arms", beside),
                         metrics == 1 ? "one metric" : fmt::format("{} metrics", metrics));
   return text;

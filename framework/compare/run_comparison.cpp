@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <random>
 
+#include "framework/cache/store_folder.hpp"
 #include "framework/compare/arm_keys.hpp"
 #include "framework/compare/comparison_json.hpp"
 #include "framework/compare/earlier_cells.hpp"
@@ -16,6 +18,7 @@
 #include "framework/compare/metric_check.hpp"
 #include "framework/compare/new_comparison.hpp"
 #include "framework/compare/remarks.hpp"
+#include "framework/compare/source_contents.hpp"
 #include "framework/compare/timing.hpp"
 #include "framework/report/folder_lock.hpp"
 #include "framework/report/pending_file.hpp"
@@ -61,7 +64,7 @@ class ComparisonRun {
       stopped = !run_next(group, groups);
     if (!stopped) stopped = !time_arms(job_, timed_before_, comparison_, [this] { save(); });
     note_equal_arms(comparison_);
-    note_equal_recordings(comparison_, sources_);
+    note_equal_recordings(comparison_, source_keys(kept_stages().get()));
     comparison_.complete = !stopped;
     if (!stopped) comparison_.ended = now();
     save();
@@ -117,12 +120,25 @@ class ComparisonRun {
           job_, *arm.plan, job_.experiment.seed_of(cell.recording, cell.seed), comparison_.id);
       cell.key = cell_key(job_.experiment, arm, keys);
       sources_[comparison_.place(cell.arm, cell.recording, cell.seed)] =
-          sources_key(*arm.plan, keys);
+          sources_of(*arm.plan, keys);
     }
     note_equal_arms(comparison_);
-    note_equal_recordings(comparison_, sources_);
+    note_equal_recordings(comparison_, source_keys(nullptr));
     for (const std::string& warning : comparison_.warnings)
       job_.observer.log(LogLevel::kWarning, "", warning);
+  }
+
+  // What the store knows of the stages that have run; none without one.
+  std::unique_ptr<KeptStages> kept_stages() const {
+    const std::filesystem::path& store = job_.options.cache.store;
+    if (store.empty() || !is_store(store)) return nullptr;
+    return std::make_unique<KeptStages>(store);
+  }
+
+  SourceKeys source_keys(const KeptStages* kept) const {
+    SourceKeys keys;
+    for (const CellSources& sources : sources_) keys.push_back(contents_key(sources, kept));
+    return keys;
   }
 
   bool run_next(std::size_t group, std::size_t groups) {
@@ -154,7 +170,7 @@ class ComparisonRun {
   report::FolderLock lock_;
   Comparison comparison_;
   MetricCheck metrics_;
-  SourceKeys sources_;
+  std::vector<CellSources> sources_;  ///< by cell
   std::vector<TimedPair> timed_before_;
 };
 

@@ -199,13 +199,16 @@ TimingSummary summary_of(const TimedPair& timed) {
 
 TimingSummary summary_of(const Comparison& comparison, std::size_t arm) {
   std::vector<double> baselines, arms, ratios;
+  TimingSummary one;
   for (const TimedPair& timed : comparison.timings) {
     if (timed.arm != arm) continue;
     const TimingSummary of_one = summary_of(timed);
+    one = of_one;
     baselines.push_back(of_one.baseline.median);
     arms.push_back(of_one.arm.median);
     ratios.push_back(of_one.ratio.median);
   }
+  if (ratios.size() == 1) return one;
   return {of_sorted(baselines), of_sorted(arms), of_sorted(ratios)};
 }
 

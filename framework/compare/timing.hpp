@@ -28,7 +28,8 @@ struct TimingSummary {
 };
 TimingSummary summary_of(const TimedPair& timed);
 
-/// What the medians of an arm's timings come to, over all recordings and seeds that were timed.
+/// What the medians of an arm's timings come to, over all recordings and seeds that were timed; of
+/// only one, its pairs.
 TimingSummary summary_of(const Comparison& comparison, std::size_t arm);
 
 }  // namespace stope

@@ -83,8 +83,16 @@ std::vector<Group> groups_of(const Comparison& comparison, const ArmVerdicts& ve
   return groups;
 }
 
+/// For a difference to be shown beside all that are tested, whatever is there by now.
+std::size_t recordings_needed_by(const Comparison& comparison) {
+  const auto arms = static_cast<std::size_t>(
+      std::count_if(comparison.arms.begin(), comparison.arms.end(),
+                    [](const ComparedArm& arm) { return arm.same_as.empty(); }));
+  return recordings_needed(std::max<std::size_t>(1, (arms - 1) * comparison.metrics.size()));
+}
+
 std::string opening(const Group& group, const std::string& arm, const std::string& baseline,
-                    const std::string& recordings) {
+                    const std::string& recordings, std::size_t needed) {
   const std::string names = listed(group.names);
   switch (group.verdict) {
     case Verdict::kBetter:
@@ -98,8 +106,8 @@ std::string opening(const Group& group, const std::string& arm, const std::strin
       return fmt::format("{} and {} are the same in {} on {}", arm, baseline, names, recordings);
     case Verdict::kTooFew:
       return fmt::format("{} recordings are needed to say anything of {} and {} in {}: there {} {}",
-                         kLeastRecordings, arm, baseline, names,
-                         recordings.starts_with("1 ") ? "is" : "are", recordings);
+                         needed, arm, baseline, names, recordings.starts_with("1 ") ? "is" : "are",
+                         recordings);
     case Verdict::kNoFigure:
       return fmt::format("There is no usable figure of {} beside {} in {} on any of {}", arm,
                          baseline, names, recordings);
@@ -125,7 +133,8 @@ std::string finding_text(const Comparison& comparison, const ArmVerdicts& verdic
   std::string text = opening(groups.front(), arm, baseline,
                              groups.front().verdict == Verdict::kNoFigure
                                  ? count_text(all, "recording", "recordings")
-                                 : recordings_text(verdicts.measures, all));
+                                 : recordings_text(verdicts.measures, all),
+                             recordings_needed_by(comparison));
   const std::string losses = losses_text(comparison, verdicts.arm);
   if (!losses.empty()) text += "; " + losses;
   for (std::size_t i = 1; i < groups.size(); ++i)

@@ -60,7 +60,12 @@ TEST(ComparisonText, SumsUpTheTimesOfAnArm) {
   Comparison comparison = made(2, 6, 0.5);
   for (const double times : {2.0, 4.0, 3.0})
     comparison.timings.push_back({1, 0, 0, {1, 0.5, 2}, {times, 0.5 * times, 2 * times}, "key"});
-  EXPECT_NE(comparison_text(comparison).find("ratio 3 [2, 4] over 3\n"), std::string::npos)
+  EXPECT_NE(comparison_text(comparison).find("ratio pair by pair 3 [2, 4] over 3 recordings\n"),
+            std::string::npos)
+      << comparison_text(comparison);
+  comparison.timings = {{1, 0, 0, {1, 1}, {2, 5}, "key"}};
+  EXPECT_NE(comparison_text(comparison).find("ratio pair by pair 3.5 [2, 5] over one recording"),
+            std::string::npos)
       << comparison_text(comparison);
 }
 

@@ -29,7 +29,7 @@ class ComparingTest : public FilesTest {
     options.folder = folder() / "out";
     options.threads = 2;
     options.memory = std::size_t{1} << 30;
-    options.cache.store = folder() / store_;
+    if (!store_.empty()) options.cache.store = folder() / store_;
     options.stop = stop;
     options.time_again = time_again_;
     toy::executions.take();
@@ -43,7 +43,7 @@ class ComparingTest : public FilesTest {
     return read(folder() / "out/arms" / arm / recording / seed / "outputs/changed.txt");
   }
 
-  std::string store_ = "store";
+  std::string store_ = "store";  ///< empty: none
   toy::ArmsCatalogue catalogue_;
   Log log_;
   bool time_again_ = false;

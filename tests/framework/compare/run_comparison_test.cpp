@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "framework/compare/comparison_json.hpp"
@@ -37,6 +38,18 @@ TEST_F(RunComparison, WhatArmsHaveInCommonRunsOnce) {
   ASSERT_EQ(cell.artefacts.size(), 1U);
   EXPECT_EQ(cell.artefacts[0].path, "arms/two/base/0/outputs/changed.txt");
   EXPECT_TRUE(std::filesystem::exists(made.folder / "arms/two/base/0/run.json"));
+}
+
+// A replay sets what all arms, the recording and the arm change; the seed is the run's.
+TEST_F(RunComparison, EachRunNamesAllThatWasSetForIt) {
+  compare(std::string("arms: {one: {change.noise: 1}, two: {change.noise: 2}}\n"
+                      "set: {draw.count: 4, change.noise: 7}\n"
+                      "recordings: {pit: {seed: 3, draw.count: 6}}\n") +
+          kMean);
+  const auto run = nlohmann::json::parse(read(folder() / "out/arms/two/pit/3/run.json"));
+  EXPECT_EQ(run["pipeline"]["overrides"],
+            (std::vector<std::string>{"draw.count=6", "change.noise=2"}));
+  EXPECT_EQ(run["run"]["seed"], 3);
 }
 
 TEST_F(RunComparison, AnArmLeavesTheBytesOfARunOfItAlone) {

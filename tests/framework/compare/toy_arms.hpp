@@ -141,6 +141,24 @@ class Mean final : public Map<Measures(Numbers)> {
   }
 };
 
+/// A mean of a few numbers that are drawn by the run's seed.
+class Sample final : public Map<Measures(Numbers)> {
+ public:
+  struct Params {
+  } params;
+  static void describe(About<Sample>& about) {
+    about.summary("Measures the mean of some.").ports("numbers", "measures");
+  }
+  Measures apply(const Numbers& numbers, Context& context) const {
+    executions.add("sample");
+    Random random = context.random();
+    double sum = 0;
+    constexpr int kDrawn = 20;
+    for (int i = 0; i < kDrawn; ++i) sum += numbers.values[random.below(numbers.values.size())];
+    return {{"mean"}, {sum / kDrawn}, {"m"}, {""}};
+  }
+};
+
 /// Another measure, with another figure.
 class Number final : public Map<Measures(Numbers)> {
  public:
@@ -183,6 +201,7 @@ class ArmsCatalogue final : public Catalogue {
     add<Scale>("toy/scale");
     add<Shift>("toy/shift");
     add<Mean>("toy/mean");
+    add<Sample>("toy/sample");
     add<Number>("toy/count");
     add<Text>("toy/text");
   }

@@ -137,7 +137,7 @@ TEST(Remarks, TellBeforeAnythingRunsThatRecordingsAreTooFew) {
   EXPECT_EQ(expected_remark(10, 4, 5), "");
   EXPECT_EQ(expected_remark(1, 2, 1),
             "One recording cannot show any difference beside one test, however clear: it takes 6. "
-            "There are one arm beside the baseline and one metric.");
+            "There is one arm beside the baseline and one metric.");
   Comparison comparison = made({0, 1, 2, 3}, 7);
   comparison.metrics.resize(5);
   EXPECT_EQ(expected_remark(comparison), expected_remark(7, 4, 5));
