@@ -21,10 +21,7 @@ std::vector<Border> find_borders(const std::vector<Contact>& contacts, const Reg
     if (contact.a > contact.b) std::swap(contact.a, contact.b);
     borders.push_back(contact);
   }
-  std::sort(borders.begin(), borders.end(), [](const Border& x, const Border& y) {
-    if (x.a != y.a) return x.a < y.a;
-    return x.b != y.b ? x.b < y.b : is_clearer(x, y);
-  });
+  std::sort(borders.begin(), borders.end(), is_before);
   std::size_t kept = 0;
   for (const Border& border : borders) {
     if (kept > 0 && borders[kept - 1].a == border.a && borders[kept - 1].b == border.b) {

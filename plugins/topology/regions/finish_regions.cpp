@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "plugins/topology/disjoint_sets.hpp"
+#include "plugins/topology/regions/doors.hpp"
 #include "plugins/topology/regions/known_regions.hpp"
 #include "plugins/topology/regions/space_pieces.hpp"
 
@@ -87,9 +88,13 @@ RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32
   std::vector<std::uint8_t> same(static_cast<std::size_t>(set.count), 0);
   std::vector<RegionMemo::Known> known =
       know_regions(ground, names, set, parts, before, changed, rule, same, checkpoint);
+  const std::vector<Border> doors =
+      rule.every_door ? find_doors(ground, names, set, contacts,
+                                   rule.least_squared(ground.frame().resolution), checkpoint)
+                      : borders;
   std::vector<RegionRoad> roads =
-      region_roads(ground, names, set, parts, borders, known, same, rule, before, checkpoint);
-  result.roads = graph_of_roads(ground.frame(), known, borders, roads, rule);
+      region_roads(ground, names, set, parts, doors, known, same, rule, before, checkpoint);
+  result.roads = graph_of_roads(ground.frame(), known, doors, roads, rule);
   std::vector<Region> regions = measured(ground.frame(), known);
   identify(regions, result.roads);
   std::vector<std::size_t> order = order_of(regions.size());
@@ -130,7 +135,7 @@ RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32
                                                  static_cast<std::int64_t>(ground.free_cells())
                             ? count_space_pieces(ground, names, tiles, contacts, set, checkpoint)
                             : result.pieces;
-  if (memo) remember_regions(std::move(known), std::move(roads), borders, before);
+  if (memo) remember_regions(std::move(known), std::move(roads), doors, before);
   return result;
 }
 

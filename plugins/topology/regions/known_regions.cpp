@@ -54,12 +54,9 @@ std::vector<RegionMemo::Known> know_regions(
 
 void remember_regions(std::vector<RegionMemo::Known> known, std::vector<RegionRoad> roads,
                       const std::vector<Border>& borders, RegionMemo& memo) {
-  const auto key = [&](std::int32_t region) {
-    return known[static_cast<std::size_t>(region) - 1].members.front();
-  };
   memo.roads.clear();
   for (std::size_t i = 0; i < borders.size(); ++i)
-    memo.roads[std::minmax({key(borders[i].a), key(borders[i].b)})] = std::move(roads[i]);
+    memo.roads[{borders[i].low, borders[i].high}] = std::move(roads[i]);
   memo.regions.clear();
   for (RegionMemo::Known& region : known) {
     const CellIndex lowest = region.members.front();

@@ -28,6 +28,7 @@ struct RegionMemo {
   };
   /// By the lowest of the members; looked up, never gone through.
   std::unordered_map<CellIndex, Known> regions;
+  /// By the cells of the border that they cross.
   std::map<std::pair<CellIndex, CellIndex>, RegionRoad> roads;
   std::size_t reused = 0;  ///< regions that were taken as they were
 };

@@ -165,7 +165,8 @@ std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std:
       RegionRoad& road = roads[static_cast<std::size_t>(i)];
       const RegionMemo::Known &first = known[use.first], &second = known[use.second];
       if (same[use.first] && same[use.second]) {
-        const auto found = before.roads.find({first.members.front(), second.members.front()});
+        const Border& border = borders[static_cast<std::size_t>(i)];
+        const auto found = before.roads.find({border.low, border.high});
         if (found != before.roads.end()) {
           road = found->second;
           return;

@@ -17,6 +17,7 @@ struct RegionRoadsRule {
   Network network = Network::kAll;
   double stretch = 1.5;       ///< of a spanner
   double centre_share = 0.5;  ///< of a region's best clearance that its centre has at least
+  bool every_door = false;    ///< a road through each door of two regions, not the clearest only
 
   /// How far from the cells of its two regions a road depends on the map, in cells.
   std::int32_t reach(double resolution) const;

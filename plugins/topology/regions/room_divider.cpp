@@ -66,6 +66,7 @@ RoomDivider::RoomDivider(const ExtractionParams& extraction, const Rule& rule,
     : extraction_(extraction), rule_(rule), roads_(roads) {
   // A piece of road between two doors is as wide as the road, so its clearest place is the middle.
   roads_.centre_share = 0.8;
+  roads_.every_door = true;
 }
 RoomDivider::~RoomDivider() = default;
 RoomDivider::RoomDivider(RoomDivider&&) noexcept = default;

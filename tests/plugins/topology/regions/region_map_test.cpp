@@ -4,6 +4,7 @@
 #include <queue>
 #include <set>
 
+#include "tests/plugins/topology/regions/doors_by_flooding.hpp"
 #include "tests/plugins/topology/regions/region_stages.hpp"
 
 namespace stope::topology {
@@ -72,6 +73,7 @@ TEST_P(RegionMaps, LabelsAreThePlaceOfARegionThatIsOnePieceOfFreeSpace) {
 }
 
 TEST_P(RegionMaps, AdjacentAreThoseWhoseCellsTouch) {
+  std::size_t several = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     make(seed);
     std::set<std::pair<std::uint32_t, std::uint32_t>> touching, listed;
@@ -88,8 +90,23 @@ TEST_P(RegionMaps, AdjacentAreThoseWhoseCellsTouch) {
       listed.insert({map.adjacency[i], map.adjacency[i + 1]});
     EXPECT_EQ(listed, touching);
     EXPECT_EQ(2 * listed.size(), map.adjacency.size());
-    EXPECT_EQ(roads.edges.size(), touching.size());
+    // A road for each two regions or, with voronoi_regions, for each of their doors.
+    const DoorsByFlooding doors(90, 70, [&](std::int32_t column, std::int32_t row) {
+      return label({column, row});
+    });
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::int32_t> expected, led;
+    for (const auto& [pair, count] : doors.count()) {
+      const auto id = [&](std::int32_t region) {
+        return map.regions[static_cast<std::size_t>(region) - 1].id;
+      };
+      expected[std::minmax({id(pair.first), id(pair.second)})] = GetParam() == 0 ? 1 : count;
+      several += count > 1 ? 1U : 0U;
+    }
+    for (const RoadEdge& edge : roads.edges)
+      ++led[std::minmax({roads.nodes[edge.from].id, roads.nodes[edge.to].id})];
+    EXPECT_EQ(led, expected);
   }
+  EXPECT_GT(several, 20U);
 }
 
 TEST_P(RegionMaps, RoadsStayInFreeSpaceAndTellTheirClearance) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plugins/topology/checkpoint.hpp"
+#include "plugins/topology/regions/borders.hpp"
+
+namespace stope::topology {
+
+/// The separate doors between regions, in the order of find_borders and of one pair the clearest
+/// first, which is the pair's border. Cells are closed squares, and a door is a connected piece of
+/// what two regions have in common: edges and corners of their free cells. Those with a squared
+/// clearance of less than `least` are left out, but never a pair's clearest.
+std::vector<Border> find_doors(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                               const RegionSet& set, const std::vector<Contact>& contacts,
+                               std::int32_t least, const Checkpoint& checkpoint);
+
+}  // namespace stope::topology
