@@ -113,18 +113,19 @@ struct CachedRun::State {
   void repeat_all_warnings() {
     for (std::size_t i = 0; i < plan.stages.size(); ++i) {
       if (is_made(reuse.fates[i]) || keys[i].only_this_run) continue;
-      if (const auto kept = store->stages.find(keys[i].digest))
-        repeat_warnings(*kept, plan.stages[i].name, store->objects, observer);
+      const auto kept =
+          reuse.fates[i] == Fate::kStored ? reuse.stored[i] : store->stages.find(keys[i].digest);
+      if (kept) repeat_warnings(*kept, plan.stages[i].name, store->objects, observer);
     }
   }
 
-  // Of stages none of whose outputs are kept.
-  void note_warnings(const WarningMemory& memory) {
+  // Of stages none of whose outputs are kept: the keeper has taken those of the others.
+  void note_warnings(WarningMemory& memory) {
     if (use.keep == Keep::kNothing) return;
     try {
       for (std::size_t i = 0; i < plan.stages.size(); ++i) {
         if (reuse.fates[i] != Fate::kRuns || keys[i].only_this_run || !inputs->holds(i)) continue;
-        if (auto note = memory.note(plan.stages[i].name, store->objects))
+        if (auto note = memory.take(plan.stages[i].name, store->objects))
           store->stages.save(keys[i].digest,
                              {KeptStage::kFormat, plan.stages[i].name, {*std::move(note)}});
       }

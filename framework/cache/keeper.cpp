@@ -50,8 +50,8 @@ struct Keeper::State {
   const InputCheck& inputs;
   KeptStages& kept;
   ObjectStore& store;
-  ItemJournal* journal;           ///< or null
-  const WarningMemory* warnings;  ///< or null
+  ItemJournal* journal;     ///< or null
+  WarningMemory* warnings;  ///< or null
   std::vector<Recording> recordings;
   std::vector<StageRecording> stages;
   mutable std::mutex mutex;  ///< of stages and complaint
@@ -116,7 +116,7 @@ struct Keeper::State {
     if (--stage.open > 0 || stage.kept.outputs.empty()) return;
     try {
       if (warnings)
-        if (auto note = warnings->note(stage.kept.name, store))
+        if (auto note = warnings->take(stage.kept.name, store))
           stage.kept.outputs.push_back(*std::move(note));
       kept.save(stage.key, stage.kept);
       if (journal)
@@ -130,8 +130,7 @@ struct Keeper::State {
 
 Keeper::Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
                const std::vector<PlannedSource>& wanted, Keep keep, const InputCheck& inputs,
-               KeptStages& kept, ObjectStore& store, ItemJournal* journal,
-               const WarningMemory* warnings)
+               KeptStages& kept, ObjectStore& store, ItemJournal* journal, WarningMemory* warnings)
     : state_(new State{plan, inputs, kept, store, journal, warnings, {}, {}, {}, {}}) {
   if (keep == Keep::kNothing) return;
   std::set<std::pair<std::size_t, std::size_t>> read;

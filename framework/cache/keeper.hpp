@@ -32,7 +32,7 @@ class Keeper {
   Keeper(const Plan& plan, const std::vector<StageKey>& keys, const Reuse& reuse,
          const std::vector<PlannedSource>& wanted, Keep keep, const InputCheck& inputs,
          KeptStages& kept, ObjectStore& store, ItemJournal* journal = nullptr,
-         const WarningMemory* warnings = nullptr);
+         WarningMemory* warnings = nullptr);
   ~Keeper();
   /// Processes for run_plan(). They refer to this object. A store that cannot be written to fails
   /// no run: `complaint()` tells.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "stope/codec.hpp"
 
@@ -28,13 +29,13 @@ void WarningMemory::log(LogLevel level, const std::string& stage, const std::str
   observer_.log(level, stage, sentence);
 }
 
-std::optional<KeptOutput> WarningMemory::note(const std::string& stage, ObjectStore& store) const {
+std::optional<KeptOutput> WarningMemory::take(const std::string& stage, ObjectStore& store) {
   StageWarnings said;
   {
     const std::lock_guard lock(mutex_);
-    const auto found = by_stage_.find(stage);
-    if (found == by_stage_.end()) return std::nullopt;
-    said = found->second;
+    auto taken = by_stage_.extract(stage);
+    if (!taken) return std::nullopt;
+    said = std::move(taken.mapped());
   }
   const StoredObject object = store.put([&](ByteSink& sink) { encode(said, sink); });
   return KeptOutput{

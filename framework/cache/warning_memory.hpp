@@ -29,13 +29,13 @@ class WarningMemory final : public RunObserver {
  public:
   explicit WarningMemory(RunObserver& observer) : observer_(observer) {}
   void log(LogLevel level, const std::string& stage, const std::string& sentence) override;
-  /// Writes what the stage has warned of into the store, for its KeptStage; none if it has not.
-  /// Throws Error if the disk is full.
-  std::optional<KeptOutput> note(const std::string& stage, ObjectStore& store) const;
+  /// Writes what the stage has warned of, and nobody has taken yet, into the store, for its
+  /// KeptStage; none if there is nothing. Throws Error if the disk is full.
+  std::optional<KeptOutput> take(const std::string& stage, ObjectStore& store);
 
  private:
   RunObserver& observer_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::map<std::string, StageWarnings> by_stage_;
 };
 

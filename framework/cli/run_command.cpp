@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "framework/cache/earlier_run.hpp"
+#include "framework/cache/store_folder.hpp"
 #include "framework/cli/arguments.hpp"
 #include "framework/cli/byte_size.hpp"
 #include "framework/cli/cache_use.hpp"
@@ -77,6 +78,14 @@ void print_text(const PipelineRun& run, bool quiet) {
   }
 }
 
+void refuse_store(const std::filesystem::path& folder) {
+  if (is_store(folder))
+    throw Error(fmt::format(
+        "{} is a store of results, in which a run would leave files that do not belong there. "
+        "Choose another folder with --out.",
+        folder.string()));
+}
+
 /// The runs of a comparison are its own: it would compute anew what another run wrote over.
 void refuse_runs_of_comparisons(const std::filesystem::path& folder) {
   const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
@@ -101,6 +110,7 @@ int run_command(const Arguments& arguments) {
   const std::filesystem::path folder =
       arguments.out.empty() ? std::filesystem::path("out") / arguments.pipeline.stem()
                             : arguments.out;
+  refuse_store(folder);
   refuse_runs_of_comparisons(folder);
   const std::optional<EarlierRun> earlier = earlier_run(folder);
   const Interrupt interrupt;

@@ -34,15 +34,6 @@ void refuse_folders_named_like_files(const fs::path& folder) {
   }
 }
 
-void refuse_store(const fs::path& folder) {
-  std::error_code ignored;
-  if (fs::exists(folder / "stope-store", ignored))
-    throw Error(fmt::format(
-        "{} is a store of results, in which a run would leave files that do not belong there. "
-        "Choose another folder with --out.",
-        folder.string()));
-}
-
 void refuse_comparison(const fs::path& folder) {
   std::error_code ignored;
   if (fs::exists(folder / "comparison.json", ignored))
@@ -83,7 +74,6 @@ RunDirectory::RunDirectory(const fs::path& folder) : folder_(fs::absolute(folder
   lock_.emplace(folder_);
   refuse_folders_named_like_files(folder_);
   refuse_comparison(folder_);
-  refuse_store(folder_);
   refuse_link(outputs());
   create_folder(outputs());
   if (::access(folder_.c_str(), W_OK) != 0 || ::access(outputs().c_str(), W_OK) != 0)

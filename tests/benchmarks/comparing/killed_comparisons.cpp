@@ -1,4 +1,4 @@
-// What is computed twice: at most the stages that had begun when it was killed and were not stored
+// What is computed twice: at most the stages that ran after the kill and had begun before it
 // (computed_twice.hpp), as a share of what all stages take, by the same clock. Beside it the
 // processor time of the killed process and of the one that goes on, in which starting and reading
 // what is stored count, too, less that of undisturbed ones, which differ by some per cent among
@@ -111,9 +111,8 @@ bool kill_comparisons(int times) {
     longer.push_back((killed.processor + rest.processor) / processor - 1);
     right = right && same && again == 0;
     fmt::print(
-        "killed after {:5.1f} s of processor time ({}), {:5.1f} s more: {:+.1f} %; at most {:.1f} "
-        "% "
-        "computed twice; {} stored stages ran again, {}\n",
+        "killed after {:5.1f} s of processor time ({}), {:5.1f} s more: {:+.1f} %; "
+        "at most {:.1f} % computed twice; {} stored stages ran again, {}\n",
         killed.processor, recording, rest.processor, 100 * longer.back(), 100 * twice.back(), again,
         same ? "the same bytes" : "OTHER BYTES");
   }
