@@ -57,6 +57,19 @@ inline OccupancyGrid synthetic() {
   return grid;
 }
 
+/// Blocks of 64 x 64 cells, 60 % of them free.
+inline OccupancyGrid city_blocks() {
+  constexpr int kBlock = 64;
+  Random random(1);
+  OccupancyGrid grid = empty_grid(kSide, kSide, 0.5);
+  for (int row = 0; row < kSide; row += kBlock)
+    for (int column = 0; column < kSide; column += kBlock)
+      if (random.uniform() < 0.6)
+        for (int y = row; y < row + kBlock; ++y)
+          std::memset(&grid.cells[grid.frame.place({column, y})], OccupancyGrid::kFree, kBlock);
+  return grid;
+}
+
 inline OccupancyGrid from_image(const cv::Mat& image, double resolution) {
   OccupancyGrid grid = empty_grid(image.cols, image.rows, resolution);
   for (int row = 0; row < image.rows; ++row)
@@ -85,11 +98,11 @@ inline OccupancyGrid fullest_window(const OccupancyGrid& mine) {
   return best;
 }
 
-/// The real mine at 0.1 m, if its raster is there.
-inline cv::Mat read_mine() {
+/// The real mine, at 0.1 m unless another raster is named, if that is there.
+inline cv::Mat read_mine(const char* name = "dapai_0p1m.png") {
   const char* data = std::getenv("STOPE_DATA");
   const std::filesystem::path file =
-      std::filesystem::path(data ? data : STOPE_DEFAULT_DATA) / "open_pit_maps" / "dapai_0p1m.png";
+      std::filesystem::path(data ? data : STOPE_DEFAULT_DATA) / "open_pit_maps" / name;
   if (!std::filesystem::exists(file)) {
     fmt::print("The mine's raster {} is not there, so it is left out; set STOPE_DATA.\n",
                file.string());

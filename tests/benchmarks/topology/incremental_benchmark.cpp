@@ -1,5 +1,5 @@
-// Road graphs brought up to date after changes of 200 x 200 cells, each compared bit for bit with a
-// computation of everything.
+// Road graphs and region maps brought up to date after changes of 200 x 200 cells, each compared
+// bit for bit with a computation of everything.
 //
 //   taskset -c 0 build/bin/incremental_benchmark [--changes N] [--check-every N] [--side N]
 //                                                [--only TEXT, of a case's name]
@@ -8,14 +8,17 @@
 // obstacle or free space, walls and lanes across the window, rough faces, all blocked, all free,
 // single cells, nothing at all; windows lie anywhere, also across the map's border, and in the mine
 // also once only where free space is: most others lie in solid rock. Prints the thread's own CPU
-// time per update, the graph included, and how many graphs were equal.
+// time per update, all of the result included, and how many results were equal.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 #include <string>
 
+#include "plugins/topology/regions/room_divider.hpp"
+#include "plugins/topology/regions/segment_by_growth.hpp"
 #include "plugins/topology/road_updater.hpp"
 #include "stope/digest.hpp"
 #include "tests/benchmarks/topology/benchmark_grids.hpp"
@@ -50,20 +53,72 @@ CellWindow window_in(const OccupancyGrid& grid, std::int32_t side, bool where_fr
   }
 }
 
-void run(const std::string& name, OccupancyGrid grid, const ExtractionMethod& method,
-         bool where_free, const Options& options) {
+/// What is brought up to date: all of it with and without memory for an update, and the update.
+struct RoadMember {
+  ExtractionMethod method;
+  RoadUpdater updater{method};
+
+  RoadGraph remember(const OccupancyGrid& grid) { return updater.full(grid); }
+  RoadGraph update(const OccupancyGrid& grid, const CellWindow& window) {
+    return updater.update(grid, window);
+  }
+  RoadGraph fresh(const OccupancyGrid& grid) const { return extract_roads(grid, method); }
+  static Digest digest(const RoadGraph& roads) { return digest_of(roads); }
+  static std::size_t roads(const RoadGraph& roads) { return roads.edges.size(); }
+};
+
+struct RegionMember {
+  static Digest digest(const RegionsAndRoads& result) {
+    return digest_of(digest_of(result.map).text() + digest_of(result.roads).text());
+  }
+  static std::size_t roads(const RegionsAndRoads& result) { return result.roads.edges.size(); }
+  RegionRoadsRule rule{2.0, 0.2, Network::kAll, 1.5};
+};
+
+struct VoronoiRegionsMember : RegionMember {
+  RoomDivider divider{{}, {}, rule};
+
+  RegionsAndRoads remember(const OccupancyGrid& grid) { return divider.full(grid, true); }
+  RegionsAndRoads update(const OccupancyGrid& grid, const CellWindow& window) {
+    return divider.update(grid, window);
+  }
+  RegionsAndRoads fresh(const OccupancyGrid& grid) const {
+    return RoomDivider({}, {}, rule).full(grid, false);
+  }
+};
+
+struct RegionGrowingMember : RegionMember {
+  std::optional<Ground> ground;
+  GrowthMemory memory;
+
+  RegionsAndRoads remember(const OccupancyGrid& grid) {
+    ground.emplace(grid, ExtractionParams());
+    return segment_by_growth(*ground, {}, {}, rule, memory);
+  }
+  RegionsAndRoads update(const OccupancyGrid& grid, const CellWindow& window) {
+    GroundChange change(grid.frame.width, grid.frame.height);
+    if (!ground->update(grid, window, change)) return remember(grid);
+    return segment_by_growth(*ground, {}, {}, rule, memory, &change);
+  }
+  RegionsAndRoads fresh(const OccupancyGrid& grid) const {
+    return segment_by_growth(Ground(grid, ExtractionParams()), {}, {}, rule, Random(1));
+  }
+};
+
+template <class Member>
+void run(const std::string& name, OccupancyGrid grid, Member member, bool where_free,
+         const Options& options) {
   if (name.find(options.only) == std::string::npos) return;
   constexpr std::array<const char*, kChangeKinds> kNames{
       "obstacle appears", "obstacle goes", "road is cut", "road opens", "rough faces",
       "all blocked",      "all free",      "speckles",    "nothing"};
-  RoadUpdater updater(method);
   Random random(7);
   double start = now_ms();
-  RoadGraph roads = updater.full(grid);
+  auto result = member.remember(grid);
   fmt::print("{}: all with memory {:.0f} ms, ", name, now_ms() - start);
   start = now_ms();
-  extract_roads(grid, method);
-  fmt::print("all without {:.0f} ms; {} roads\n", now_ms() - start, roads.edges.size());
+  member.fresh(grid);
+  fmt::print("all without {:.0f} ms; {} roads\n", now_ms() - start, Member::roads(result));
   std::vector<double> times;
   std::array<std::vector<double>, kChangeKinds> by_kind;
   int checked = 0, equal = 0;
@@ -72,12 +127,12 @@ void run(const std::string& name, OccupancyGrid grid, const ExtractionMethod& me
     const CellWindow window = window_in(grid, options.side, where_free, random);
     change_within(grid, window, static_cast<ChangeKind>(kind), random);
     start = now_ms();
-    roads = updater.update(grid, window);
+    result = member.update(grid, window);
     times.push_back(now_ms() - start);
     by_kind[static_cast<std::size_t>(kind)].push_back(times.back());
     if (i % options.check_every != 0) continue;
     ++checked;
-    equal += digest_of(roads) == digest_of(extract_roads(grid, method)) ? 1 : 0;
+    equal += Member::digest(result) == Member::digest(member.fresh(grid)) ? 1 : 0;
   }
   fmt::print(
       "  {} changes: median {:.2f} ms, p90 {:.2f}, p99 {:.2f}, most {:.2f}; {} of {} equal\n",
@@ -91,6 +146,12 @@ void run(const std::string& name, OccupancyGrid grid, const ExtractionMethod& me
   std::fflush(stdout);
 }
 
+void run_regions(const std::string& name, const OccupancyGrid& grid, bool where_free,
+                 const Options& options) {
+  run(name + ", voronoi_regions", grid, VoronoiRegionsMember{}, where_free, options);
+  run(name + ", region_growing", grid, RegionGrowingMember{}, where_free, options);
+}
+
 void run_all(const std::string& name, const OccupancyGrid& grid, bool where_free,
              const Options& options) {
   using Kind = ExtractionMethod::Kind;
@@ -98,7 +159,7 @@ void run_all(const std::string& name, const OccupancyGrid& grid, bool where_free
     ExtractionMethod method;
     method.kind = kind;
     method.skeleton.pruning = pruning;
-    run(fmt::format("{}, {}", name, member), grid, method, where_free, options);
+    run(fmt::format("{}, {}", name, member), grid, RoadMember{method}, where_free, options);
   };
   constexpr auto kResidual = SkeletonParams::Pruning::kChordResidual;
   run_one("voronoi", Kind::kVoronoi, kResidual);
@@ -106,6 +167,7 @@ void run_all(const std::string& name, const OccupancyGrid& grid, bool where_free
   run_one("watershed of outline parts", Kind::kWatershedParts, kResidual);
   run_one("skeleton by chord residual", Kind::kSkeleton, kResidual);
   run_one("skeleton by lambda", Kind::kSkeleton, SkeletonParams::Pruning::kLambda);
+  run_regions(name, grid, where_free, options);
 }
 
 }  // namespace
@@ -123,9 +185,13 @@ int main(int argc, char** argv) {
   }
   cv::setNumThreads(1);
   run_all("60 % free", synthetic(), false, options);
+  run_regions("City blocks", city_blocks(), false, options);
   const cv::Mat image = read_mine();
   if (image.empty()) return 0;
   const stope::OccupancyGrid mine = fullest_window(from_image(image, 0.1));
   run_all("Mine", mine, false, options);
   run_all("Mine where it is free", mine, true, options);
+  // Region maps are made of coarser grids than roads are.
+  run_regions("Mine at 0.5 m where it is free", from_image(read_mine("dapai_0p5m.png"), 0.5), true,
+              options);
 }
