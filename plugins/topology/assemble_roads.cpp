@@ -36,19 +36,18 @@ std::vector<RoadNode> sorted(const std::vector<RoadNode>& nodes, std::vector<std
 }
 
 /// For nodes in one place, whose order says which way a road goes.
-RoadGraph canonical(const LineNetwork& network, const std::vector<RoadNode>& nodes,
-                    const std::vector<const FinishedRoad*>& roads) {
+RoadGraph canonical(const std::vector<RoadNode>& nodes, const std::vector<SettledRoad>& roads) {
   RoadGraph graph;
   graph.nodes = nodes;
-  for (std::size_t i = 0; i < roads.size(); ++i) {
+  for (const SettledRoad& settled : roads) {
     RoadEdge edge;
-    edge.width = roads[i]->edge.width;
-    std::vector<RoadVertex> line = roads[i]->vertices;
-    const RoadNode& from = nodes[at(network.lines[i].from)];
+    edge.width = settled.road->edge.width;
+    std::vector<RoadVertex> line = settled.road->vertices;
+    const RoadNode& from = nodes[at(settled.from)];
     if (line.front().x != from.x || line.front().y != from.y)
       std::reverse(line.begin(), line.end());
-    edge.from = static_cast<std::uint32_t>(network.lines[i].from);
-    edge.to = static_cast<std::uint32_t>(network.lines[i].to);
+    edge.from = static_cast<std::uint32_t>(settled.from);
+    edge.to = static_cast<std::uint32_t>(settled.to);
     edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
     edge.vertex_count = static_cast<std::uint32_t>(line.size());
     graph.vertices.insert(graph.vertices.end(), line.begin(), line.end());
@@ -79,25 +78,25 @@ FinishedRoad settle_road(std::vector<RoadVertex> vertices, double width, bool ri
           {graph.nodes.front().id, graph.nodes.back().id}};
 }
 
-RoadGraph assemble_roads(const LineNetwork& network, const std::vector<RoadNode>& nodes,
-                         const std::vector<const FinishedRoad*>& roads) {
+RoadGraph assemble_roads(const std::vector<RoadNode>& nodes,
+                         const std::vector<SettledRoad>& roads) {
   std::vector<std::uint32_t> rank(nodes.size());
   RoadGraph graph;
   graph.nodes = sorted(nodes, rank);
   if (std::adjacent_find(graph.nodes.begin(), graph.nodes.end(), same_place) != graph.nodes.end())
-    return canonical(network, nodes, roads);
+    return canonical(nodes, roads);
 
   std::size_t vertices = 0;
   std::vector<std::pair<RoadEdge, const FinishedRoad*>> edges;
   edges.reserve(roads.size());
-  for (std::size_t i = 0; i < roads.size(); ++i) {
-    const std::uint32_t a = rank[at(network.lines[i].from)], b = rank[at(network.lines[i].to)];
-    edges.emplace_back(roads[i]->edge, roads[i]);
+  for (const auto& [from, to, road] : roads) {
+    const std::uint32_t a = rank[at(from)], b = rank[at(to)];
+    edges.emplace_back(road->edge, road);
     RoadEdge& edge = edges.back().first;
     edge.from = std::min(a, b), edge.to = std::max(a, b);
-    graph.nodes[edge.from].id = roads[i]->nodes[0];
-    graph.nodes[edge.to].id = roads[i]->nodes[1];
-    vertices += roads[i]->vertices.size();
+    graph.nodes[edge.from].id = road->nodes[0];
+    graph.nodes[edge.to].id = road->nodes[1];
+    vertices += road->vertices.size();
   }
   std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) {
     if (std::tie(a.first.from, a.first.to) != std::tie(b.first.from, b.first.to))

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "plugins/topology/line_network.hpp"
 #include "plugins/topology/road_memo.hpp"
 
 namespace stope::topology {
@@ -11,10 +11,14 @@ namespace stope::topology {
 /// canonicalize() does. A `ring` has one node.
 FinishedRoad settle_road(std::vector<RoadVertex> vertices, double width, bool ring);
 
-/// The graph of settled roads, in the order of the network's lines, with `nodes` in the order of
-/// the network's nodes: equal to what canonicalize() makes of the same. Cost: n log n in nodes and
-/// roads, linear in vertices, all of which are only copied.
-RoadGraph assemble_roads(const LineNetwork& network, const std::vector<RoadNode>& nodes,
-                         const std::vector<const FinishedRoad*>& roads);
+/// A settled road and the places of the two nodes it joins.
+struct SettledRoad {
+  std::int32_t from = 0, to = 0;
+  const FinishedRoad* road = nullptr;
+};
+
+/// The graph of settled roads between these nodes: equal to what canonicalize() makes of the same.
+/// Cost: n log n in nodes and roads, linear in vertices, all of which are only copied.
+RoadGraph assemble_roads(const std::vector<RoadNode>& nodes, const std::vector<SettledRoad>& roads);
 
 }  // namespace stope::topology

@@ -81,7 +81,7 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
     const RoadVertex vertex = to_vertex(node.point, frame);
     nodes.push_back({0, vertex.x, vertex.y, vertex.z});
   }
-  std::vector<const FinishedRoad*> roads;
+  std::vector<SettledRoad> roads;
   std::vector<std::unique_ptr<FinishedRoad>> made;
   const auto finish = [&](const Line& line) {
     const std::vector<LinePoint> points = network.points(line).copy();
@@ -103,9 +103,9 @@ RoadGraph to_road_graph(const LineNetwork& network, const Outlines& outlines, co
   for (const Line& line : network.lines) {
     checkpoint();
     const FinishedRoad* known = memo ? memo->find(network.courses->name(line.course)) : nullptr;
-    roads.push_back(known ? known : finish(line));
+    roads.push_back({line.from, line.to, known ? known : finish(line)});
   }
-  return assemble_roads(network, nodes, roads);
+  return assemble_roads(nodes, roads);
 }
 
 }  // namespace stope::topology

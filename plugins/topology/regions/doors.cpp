@@ -3,7 +3,8 @@
 // in common, and a ring of both is closed once more by each further connected piece of these: it
 // goes around an obstacle or a third region. Pairs of cells that touch at one corner are in one
 // piece, and an edge leads from corner to corner.
-// Cost: a look at every cell of the tiles where regions touch, and sorting the pairs found there.
+// Cost: a look at every cell of the tiles where regions touch of which one is not as it was in the
+// map before, and sorting the pairs found there.
 #include "plugins/topology/regions/doors.hpp"
 
 #include <algorithm>
@@ -34,8 +35,9 @@ struct End {
 
 class DoorScan {
  public:
-  DoorScan(const Ground& ground, const PaddedGrid<std::int32_t>& names, const RegionSet& set)
-      : ground_(ground), names_(names), set_(set) {}
+  DoorScan(const Ground& ground, const PaddedGrid<std::int32_t>& names, const RegionSet& set,
+           const SameRegions& same)
+      : ground_(ground), names_(names), set_(set), same_(same) {}
 
   std::vector<Touch> tile(const TileSet& geometry, std::int32_t tile) const {
     std::vector<Touch> found;
@@ -63,6 +65,7 @@ class DoorScan {
     if (name == other || other == 0) return;
     const std::int32_t own = set_.of(name), beyond = set_.of(other);
     if (own == beyond || own == 0 || beyond == 0) return;
+    if (same_.has(own) && same_.has(beyond)) return;
     if (!ground_.free(cell) || !ground_.free(there)) return;
     Border cells{std::min(own, beyond), std::max(own, beyond), 1, 0, cell, there};
     if (is_uphill(ground_, cell, there)) std::swap(cells.low, cells.high);
@@ -73,6 +76,7 @@ class DoorScan {
   const Ground& ground_;
   const PaddedGrid<std::int32_t>& names_;
   const RegionSet& set_;
+  const SameRegions& same_;
 };
 
 /// All touches, tile by tile.
@@ -110,17 +114,17 @@ DisjointSets joined_at_corners(const std::vector<Touch>& all) {
   return pieces;
 }
 
-}  // namespace
-
-std::vector<Border> find_doors(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                               const RegionSet& set, const std::vector<Contact>& contacts,
-                               std::int32_t least, const Checkpoint& checkpoint) {
+/// Where regions touch that are not both as they were.
+std::vector<Border> new_doors(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                              const RegionSet& set, const std::vector<Contact>& contacts,
+                              const SameRegions& same, const Checkpoint& checkpoint) {
   // A contact is in the tile of the earlier of its cells, and so are all that it stands for.
   TileSet tiles(ground.width(), ground.height());
   for (const Contact& contact : contacts)
-    if (const std::int32_t a = set.of(contact.a), b = set.of(contact.b); a != b && a != 0 && b != 0)
+    if (const std::int32_t a = set.of(contact.a), b = set.of(contact.b);
+        a != b && a != 0 && b != 0 && !(same.has(a) && same.has(b)))
       tiles.add(tiles.tile_of(std::min(contact.low, contact.high)));
-  const std::vector<Touch> all = touches(DoorScan(ground, names, set), tiles, checkpoint);
+  const std::vector<Touch> all = touches(DoorScan(ground, names, set, same), tiles, checkpoint);
   DisjointSets pieces = joined_at_corners(all);
   std::vector<Border> doors;
   std::vector<std::size_t> door_of(all.size());  // by the touch that a piece is named by
@@ -136,14 +140,63 @@ std::vector<Border> find_doors(const Ground& ground, const PaddedGrid<std::int32
     if (is_clearer(all[i].cells, door)) door = all[i].cells;
     door.steps = steps;
   }
-  std::sort(doors.begin(), doors.end(), is_before);
+  return doors;
+}
+
+/// The doors of the map before whose regions are both as they were, by their numbers now.
+std::vector<Door> doors_as_before(const SameRegions& same, const RegionMemo& memo) {
+  std::vector<Door> doors;
+  if (same.now.empty()) return doors;
+  const auto now = [&](std::int32_t region) {
+    return same.now[static_cast<std::size_t>(region) - 1];
+  };
+  for (std::size_t i = 0; i < memo.doors.size(); ++i) {
+    Border border = memo.doors[i];
+    border.a = now(border.a), border.b = now(border.b);
+    if (border.a == 0 || border.b == 0) continue;
+    if (border.a > border.b) std::swap(border.a, border.b);
+    doors.push_back({border, static_cast<std::int32_t>(i)});
+  }
+  return doors;
+}
+
+void sort_doors(std::vector<Door>& doors) {
+  std::sort(doors.begin(), doors.end(),
+            [](const Door& x, const Door& y) { return is_before(x.border, y.border); });
+}
+
+}  // namespace
+
+std::vector<Door> find_doors(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                             const RegionSet& set, const std::vector<Contact>& contacts,
+                             std::int32_t least, const SameRegions& same, const RegionMemo& memo,
+                             const Checkpoint& checkpoint) {
+  std::vector<Door> doors = doors_as_before(same, memo);
+  for (const Border& border : new_doors(ground, names, set, contacts, same, checkpoint))
+    doors.push_back({border, -1});
+  sort_doors(doors);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < doors.size(); ++i) {
+    const Border& border = doors[i].border;
     const bool first =
-        kept == 0 || doors[kept - 1].a != doors[i].a || doors[kept - 1].b != doors[i].b;
-    if (first || doors[i].squared >= least) doors[kept++] = doors[i];
+        kept == 0 || doors[kept - 1].border.a != border.a || doors[kept - 1].border.b != border.b;
+    if (first || border.squared >= least) doors[kept++] = doors[i];
   }
   doors.resize(kept);
+  return doors;
+}
+
+std::vector<Door> doors_at_borders(const std::vector<Border>& borders, const SameRegions& same,
+                                   const RegionMemo& memo) {
+  std::vector<Door> before = doors_as_before(same, memo), doors;
+  sort_doors(before);
+  doors.reserve(borders.size());
+  auto at = before.cbegin();
+  for (const Border& border : borders) {
+    while (at != before.cend() && is_before(at->border, border)) ++at;
+    const bool known = at != before.cend() && !is_before(border, at->border);
+    doors.push_back({border, known ? at->before : -1});
+  }
   return doors;
 }
 

@@ -18,9 +18,9 @@ std::vector<std::size_t> order_of(std::size_t count) {
   return order;
 }
 
-std::vector<Region> measured(const GridFrame& frame, const std::vector<RegionMemo::Known>& known) {
+std::vector<Region> measured(const GridFrame& frame, const std::vector<KnownRegion>& known) {
   std::vector<Region> regions;
-  for (const RegionMemo::Known& region : known) {
+  for (const KnownRegion& region : known) {
     const Vector2 place = frame.to_map(region.centre.x + 0.5, region.centre.y + 0.5);
     regions.push_back({0, place.x(), place.y(), region.axes.major * frame.resolution,
                        region.axes.minor * frame.resolution, region.axes.yaw + frame.origin.yaw,
@@ -30,16 +30,15 @@ std::vector<Region> measured(const GridFrame& frame, const std::vector<RegionMem
 }
 
 /// Leaves out the parts of free space that are too small, all but the largest one.
-void drop_small(RegionSet& set, const std::vector<Border>& borders,
-                const std::vector<std::int64_t>& free_cells, double least_area,
+void drop_small(RegionSet& set, RegionParts& parts, std::vector<Border>& borders, double least_area,
                 RegionsAndRoads& result) {
-  DisjointSets pieces(free_cells.size());
+  DisjointSets pieces(parts.free_cells.size());
   for (const Border& border : borders) pieces.join(border.a - 1, border.b - 1);
-  std::vector<std::int64_t> area(free_cells.size(), 0);
+  std::vector<std::int64_t> area(parts.free_cells.size(), 0);
   const auto piece_of = [&](std::size_t region) {
     return static_cast<std::size_t>(pieces.find(static_cast<std::int32_t>(region)));
   };
-  for (std::size_t i = 0; i < area.size(); ++i) area[piece_of(i)] += free_cells[i];
+  for (std::size_t i = 0; i < area.size(); ++i) area[piece_of(i)] += parts.free_cells[i];
   const auto largest =
       static_cast<std::size_t>(std::max_element(area.begin(), area.end()) - area.begin());
   std::vector<std::int32_t> number(area.size() + 1, 0);
@@ -54,8 +53,13 @@ void drop_small(RegionSet& set, const std::vector<Border>& borders,
     }
   }
   if (count == set.count) return;
-  for (std::int32_t& region : set.of_name) region = number[static_cast<std::size_t>(region)];
+  const auto now = [&](std::int32_t region) { return number[static_cast<std::size_t>(region)]; };
+  for (std::int32_t& region : set.of_name) region = now(region);
   set.count = count;
+  parts.keep([&](std::size_t region) { return number[region + 1] != 0; });
+  // Regions that touch are left out together.
+  std::erase_if(borders, [&](const Border& border) { return now(border.a) == 0; });
+  for (Border& border : borders) border.a = now(border.a), border.b = now(border.b);
 }
 
 /// Gives each region the id of its node, which the graph has in the order of x and y.
@@ -79,21 +83,18 @@ RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32
   RegionMemo& before = memo ? *memo : fresh;
   RegionParts parts = parts_of_regions(tiles, set);
   std::vector<Border> borders = find_borders(contacts, set);
-  drop_small(set, borders, parts.free_cells, least_area, result);
-  if (result.dropped > 0) {
-    parts = parts_of_regions(tiles, set);
-    borders = find_borders(contacts, set);
-  }
+  drop_small(set, parts, borders, least_area, result);
   result.neighbours = borders.size();
-  std::vector<std::uint8_t> same(static_cast<std::size_t>(set.count), 0);
-  std::vector<RegionMemo::Known> known =
-      know_regions(ground, names, set, parts, before, changed, rule, same, checkpoint);
-  const std::vector<Border> doors =
-      rule.every_door ? find_doors(ground, names, set, contacts,
-                                   rule.least_squared(ground.frame().resolution), checkpoint)
-                      : borders;
+  SameRegions same;
+  std::vector<KnownRegion> known =
+      know_regions(ground, names, tiles, set, parts, before, changed, rule, same, checkpoint);
+  const std::vector<Door> doors =
+      rule.every_door
+          ? find_doors(ground, names, set, contacts, rule.least_squared(ground.frame().resolution),
+                       same, before, checkpoint)
+          : doors_at_borders(borders, same, before);
   std::vector<RegionRoad> roads =
-      region_roads(ground, names, set, parts, doors, known, same, rule, before, checkpoint);
+      region_roads(ground, names, tiles, set, parts, doors, known, rule, before, checkpoint);
   result.roads = graph_of_roads(ground.frame(), known, doors, roads, rule);
   std::vector<Region> regions = measured(ground.frame(), known);
   identify(regions, result.roads);
@@ -135,7 +136,7 @@ RegionsAndRoads finish_regions(const Ground& ground, const PaddedGrid<std::int32
                                                  static_cast<std::int64_t>(ground.free_cells())
                             ? count_space_pieces(ground, names, tiles, contacts, set, checkpoint)
                             : result.pieces;
-  if (memo) remember_regions(std::move(known), std::move(roads), doors, before);
+  if (memo) remember_regions(std::move(known), doors, std::move(roads), before);
   return result;
 }
 

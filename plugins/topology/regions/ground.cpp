@@ -73,17 +73,18 @@ double Ground::distance_at(double x, double y) const {
   const auto& places = updating_ ? updating_->outlines.by_name.place : outlines_.place;
   const auto column = static_cast<std::int32_t>(std::floor(x));
   const auto row = static_cast<std::int32_t>(std::floor(y));
-  double least = -1;
+  double least = -1;  // squared
   for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, height() - 1); ++r) {
     for (std::int32_t c = std::max(column - 1, 0); c <= std::min(column + 1, width() - 1); ++c) {
       const CellIndex cell = index(c, r);
       if (!free(cell)) continue;
       const auto place = places[static_cast<std::size_t>(edges_[cell])];
-      const double there = std::hypot(x - place.column - 0.5, y - place.row - 0.5);
+      const double dx = x - place.column - 0.5, dy = y - place.row - 0.5;
+      const double there = dx * dx + dy * dy;
       least = least < 0 ? there : std::min(least, there);
     }
   }
-  return std::max(least, 0.0);
+  return std::sqrt(std::max(least, 0.0));
 }
 
 RegionCells without_regions(const Ground& ground) {

@@ -25,8 +25,11 @@ double half_width(std::int32_t squared) { return std::sqrt(static_cast<double>(s
 class JoinedBasins {
  public:
   JoinedBasins(const Ground& ground, const std::vector<CellIndex>& peaks)
-      : ground_(ground), peaks_(peaks), parent_(peaks.size()) {
-    for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = static_cast<std::int32_t>(i);
+      : peaks_(peaks), squared_(peaks.size()), parent_(peaks.size()) {
+    for (std::size_t i = 0; i < parent_.size(); ++i) {
+      parent_[i] = static_cast<std::int32_t>(i);
+      squared_[i] = ground.squared(peaks[i]);
+    }
   }
   std::int32_t find(std::int32_t basin) {
     while (parent_[at(basin)] != basin) {
@@ -39,15 +42,16 @@ class JoinedBasins {
     if (is_clearer(b, a)) std::swap(a, b);
     parent_[at(b)] = a;
   }
-  std::int32_t squared(std::int32_t basin) const { return ground_.squared(peaks_[at(basin)]); }
+  std::int32_t squared(std::int32_t basin) const { return squared_[at(basin)]; }
   bool is_clearer(std::int32_t a, std::int32_t b) const {
-    return is_uphill(ground_, peaks_[at(a)], peaks_[at(b)]);
+    // As is_uphill.
+    return squared(a) != squared(b) ? squared(a) > squared(b) : peaks_[at(a)] < peaks_[at(b)];
   }
 
  private:
   static std::size_t at(std::int32_t basin) { return static_cast<std::size_t>(basin); }
-  const Ground& ground_;
   const std::vector<CellIndex>& peaks_;
+  std::vector<std::int32_t> squared_;  ///< at the peaks, side by side: they are asked for often
   std::vector<std::int32_t> parent_;
 };
 

@@ -1,11 +1,11 @@
 #include "plugins/topology/regions/join_small.hpp"
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 #include <utility>
 
 #include "plugins/topology/regions/borders.hpp"
+#include "plugins/topology/regions/neighbour_lists.hpp"
 
 namespace stope::topology {
 namespace {
@@ -22,14 +22,14 @@ void join_small(RegionSet& set, const TileParts& tiles, const std::vector<Contac
                 double least_area, std::int32_t least_squared) {
   const auto count = static_cast<std::size_t>(set.count) + 1;
   std::vector<std::int64_t> area(count, 0);
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
-    for (const TilePart& part : tiles.parts(tile))
-      area[static_cast<std::size_t>(set.of(part.name))] += part.free_cells;
-  std::vector<std::map<std::int32_t, Opening>> open(count);
+  for (std::size_t name = 0; name < set.of_name.size(); ++name)
+    area[static_cast<std::size_t>(set.of_name[name])] +=
+        tiles.free_cells_of(static_cast<std::int32_t>(name));
+  NeighbourLists<Opening> open(count);
   for (const Border& border : find_borders(contacts, set)) {
     const Opening opening{border.steps, border.squared >= least_squared};
-    open[static_cast<std::size_t>(border.a)][border.b] = opening;
-    open[static_cast<std::size_t>(border.b)][border.a] = opening;
+    open.at(border.a, border.b) = opening;
+    open.at(border.b, border.a) = opening;
   }
   std::vector<std::int32_t> now(count);
   std::vector<std::uint8_t> cut_off(count, 0);
@@ -49,24 +49,19 @@ void join_small(RegionSet& set, const TileParts& tiles, const std::vector<Contac
     if (find(region) != region || static_cast<double>(area[own]) >= least_area) continue;
     std::int32_t target = 0;
     Opening widest;
-    for (const auto& [other, opening] : open[own])
-      if (std::tie(opening.wide, opening.steps) > std::tie(widest.wide, widest.steps))
-        target = other, widest = opening;
+    for (const auto& [other, opening] : open.of(region)) {
+      const auto now_is = std::tie(opening.wide, opening.steps);
+      const auto was = std::tie(widest.wide, widest.steps);
+      if (now_is > was || (now_is == was && other < target)) target = other, widest = opening;
+    }
     if (target == 0) continue;
     if (!widest.wide) cut_off[own] = 1;
-    const auto to = static_cast<std::size_t>(target);
     now[own] = target;
-    area[to] += area[own];
-    for (const auto& [other, opening] : open[own]) {
-      const auto there = static_cast<std::size_t>(other);
-      open[there].erase(region);
-      if (other == target) continue;
-      for (Opening* joined : {&open[to][other], &open[there][target]}) {
-        joined->steps += opening.steps;
-        joined->wide |= opening.wide;
-      }
-    }
-    open[own].clear();
+    area[static_cast<std::size_t>(target)] += area[own];
+    open.join(region, target, [](Opening& joined, const Opening& opening) {
+      joined.steps += opening.steps;
+      joined.wide |= opening.wide;
+    });
   }
   set.cut_off.assign(set.of_name.size(), 0);
   for (std::size_t name = 0; name < set.of_name.size(); ++name)

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <deque>
 #include <set>
 #include <utility>
 
 #include "plugins/topology/regions/join_small.hpp"
+#include "plugins/topology/regions/neighbour_lists.hpp"
 #include "plugins/topology/regions/network.hpp"
 #include "plugins/topology/regions/visit_convex.hpp"
+#include "plugins/topology/regions/whole_points.hpp"
 
 namespace stope::topology {
 namespace {
@@ -29,16 +31,16 @@ class Merging {
         regions_(regions),
         rule_(rule),
         shapes_(static_cast<std::size_t>(set.count)),
-        borders_(static_cast<std::size_t>(set.count)),
+        borders_(static_cast<std::size_t>(set.count) + 1),
         now_(static_cast<std::size_t>(set.count) + 1) {
     for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = static_cast<std::int32_t>(i);
     for (std::size_t name = 1; name < set.of_name.size(); ++name)
-      if (set.of_name[name] != 0) shapes_[place(set.of_name[name])] = shapes[name];
+      if (set.of_name[name] != 0) shapes_[place(set.of_name[name])] = &shapes[name];
     std::vector<Border> borders = find_borders(contacts, set);
     if (rule.as_printed) borders = tree_of(borders, set.count);
     for (const Border& border : borders) {
-      borders_[place(border.a)][border.b] = border.steps;
-      borders_[place(border.b)][border.a] = border.steps;
+      borders_.at(border.a, border.b) = border.steps;
+      borders_.at(border.b, border.a) = border.steps;
     }
     for (std::int32_t region = 1; region <= set.count; ++region) offer(region);
   }
@@ -63,27 +65,27 @@ class Merging {
   }
 
  private:
+  const RegionShape& shape(std::int32_t region) const { return *shapes_[place(region)]; }
   static std::size_t place(std::int32_t region) { return static_cast<std::size_t>(region) - 1; }
 
   std::vector<Border> tree_of(const std::vector<Border>& borders, std::int32_t count) const {
     std::vector<Link> links;
     for (const Border& border : borders)
       links.push_back(
-          {border.a - 1, border.b - 1,
-           distance(centre(shapes_[place(border.a)]), centre(shapes_[place(border.b)]))});
+          {border.a - 1, border.b - 1, distance(centre(shape(border.a)), centre(shape(border.b)))});
     std::vector<Border> tree;
     for (const std::size_t i : spanning_tree(count, links)) tree.push_back(borders[i]);
     return tree;
   }
 
   void offer(std::int32_t region) {
-    const double radius = shapes_[place(region)].radius();
+    const double radius = shape(region).radius();
     if (radius < rule_.radius) small_.insert({radius, region});
   }
 
   std::vector<std::int32_t> neighbours(std::int32_t region) const {
     std::vector<std::pair<std::int64_t, std::int32_t>> order;
-    for (const auto& [other, steps] : borders_[place(region)]) order.emplace_back(-steps, other);
+    for (const auto& [other, steps] : borders_.of(region)) order.emplace_back(-steps, other);
     std::sort(order.begin(), order.end());
     std::vector<std::int32_t> result;
     for (const auto& [steps, other] : order) result.push_back(other);
@@ -91,19 +93,14 @@ class Merging {
   }
 
   bool allowed(std::int32_t a, std::int32_t b) {
-    const RegionShape &first = shapes_[place(a)], &second = shapes_[place(b)];
+    const RegionShape &first = shape(a), &second = shape(b);
     if (static_cast<double>(first.cells + second.cells) > rule_.area) return false;
-    const std::size_t corners = first.hull.size() + second.hull.size();
-    std::vector<HullPoint> hull;
-    hull.reserve(corners);
-    hull.insert(hull.end(), first.hull.begin(), first.hull.end());
-    hull.insert(hull.end(), second.hull.begin(), second.hull.end());
     if (rule_.as_printed) return scan_allows(a, b);
-    hull = convex_hull(std::move(hull));
-    std::int64_t inside = 0;
-    visit_convex(hull, [&](std::int32_t, std::int32_t left, std::int32_t right) {
-      inside += right - left + 1;
-    });
+    std::vector<HullPoint> corners;
+    corners.reserve(first.hull.size() + second.hull.size());
+    corners.insert(corners.end(), first.hull.begin(), first.hull.end());
+    corners.insert(corners.end(), second.hull.begin(), second.hull.end());
+    const std::int64_t inside = whole_points_in(convex_hull(std::move(corners)));
     const std::int64_t own = first.cells + second.cells;
     return static_cast<double>(inside - own) <= rule_.obstacle_ratio * static_cast<double>(own);
   }
@@ -111,7 +108,7 @@ class Merging {
   /// Lines 4 to 18 of Algorithm 2: only the cells in a disc of the mean radius around the centre,
   /// weighted with the areas, are looked at.
   bool scan_allows(std::int32_t a, std::int32_t b) {
-    const RegionShape &first = shapes_[place(a)], &second = shapes_[place(b)];
+    const RegionShape &first = shape(a), &second = shape(b);
     const ShapePoint c1 = centre(first), c2 = centre(second);
     const auto n1 = static_cast<double>(first.cells), n2 = static_cast<double>(second.cells);
     const double x = (n1 * c1.x + n2 * c2.x) / (n1 + n2), y = (n1 * c1.y + n2 * c2.y) / (n1 + n2);
@@ -137,17 +134,12 @@ class Merging {
 
   /// The second takes the first in.
   void merge(std::int32_t gone, std::int32_t kept) {
-    small_.erase({shapes_[place(kept)].radius(), kept});
+    small_.erase({shape(kept).radius(), kept});
     now_[static_cast<std::size_t>(gone)] = kept;
-    shapes_[place(kept)] += shapes_[place(gone)];
-    shapes_[place(gone)] = {};
-    for (const auto& [other, steps] : borders_[place(gone)]) {
-      borders_[place(other)].erase(gone);
-      if (other == kept) continue;
-      borders_[place(kept)][other] += steps;
-      borders_[place(other)][kept] += steps;
-    }
-    borders_[place(gone)].clear();
+    merged_.push_back(shape(kept));
+    merged_.back() += shape(gone);
+    shapes_[place(kept)] = &merged_.back();
+    borders_.join(gone, kept, [](std::int64_t& steps, std::int64_t more) { steps += more; });
     offer(kept);
   }
 
@@ -163,8 +155,9 @@ class Merging {
   const Ground& ground_;
   const RegionCells& regions_;
   MergeRule rule_;
-  std::vector<RegionShape> shapes_;
-  std::vector<std::map<std::int32_t, std::int64_t>> borders_;  ///< by region: length to each other
+  std::vector<const RegionShape*> shapes_;
+  std::deque<RegionShape> merged_;        ///< shapes that regions have become
+  NeighbourLists<std::int64_t> borders_;  ///< their length
   std::vector<std::int32_t> now_;
   std::set<std::pair<double, std::int32_t>> small_;  ///< radius, region
 };

@@ -6,9 +6,11 @@
 #include <memory>
 #include <utility>
 
+#include "plugins/topology/assemble_roads.hpp"
 #include "plugins/topology/for_each_band.hpp"
 #include "plugins/topology/regions/network.hpp"
 #include "plugins/topology/regions/ways_to_doors.hpp"
+#include "plugins/topology/simplify_line.hpp"
 
 namespace stope::topology {
 namespace {
@@ -60,28 +62,42 @@ std::vector<LinePoint> simplified(const std::vector<LinePoint>& line, double tol
   return result;
 }
 
+/// A distance from the centre of an obstacle cell, as metres from its edge.
+double clearance_at(double distance, const GridFrame& frame) {
+  return std::max(0.0, distance - 0.5) * frame.resolution;
+}
+
+RegionRoad settled(const std::vector<LinePoint>& line, double median, const GridFrame& frame) {
+  std::vector<RoadVertex> vertices;
+  vertices.reserve(line.size());
+  for (const LinePoint& point : line) {
+    const Vector2 at = frame.to_map(point.x, point.y);
+    vertices.push_back({at.x(), at.y(), kNoElevation, clearance_at(point.distance, frame)});
+  }
+  return {settle_road(std::move(vertices), 2 * clearance_at(median, frame), false),
+          length_of(line)};
+}
+
 /// The line along these cells, as smooth as it may be without getting nearer than `least` to an
 /// obstacle where the cells do not.
 RegionRoad road_along(const Ground& ground, const std::vector<LinePoint>& cells, double tolerance,
                       double least) {
-  RegionRoad road;
-  std::vector<LinePoint> smooth;
+  std::vector<LinePoint> smooth, line;
   const auto drawn = [&](double share) {
     smooth = smooth_line(cells, kSmoothingReach, share);
     for (LinePoint& point : smooth) point.distance = ground.distance_at(point.x, point.y);
-    road.line = simplified(smooth, std::max(tolerance, kRasterSteps));
-    return stays_clear(ground, road.line, least);
+    line = simplified(smooth, std::max(tolerance, kRasterSteps));
+    return stays_clear(ground, line, least);
   };
   if (!drawn(kSmoothingShare) && !drawn(0)) {
     smooth = cells;
-    road.line = simplified(cells, 0);
+    line = simplified(cells, 0);
   }
   std::vector<double> distances;
   for (const LinePoint& point : smooth) distances.push_back(point.distance);
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
-  road.median = *middle;
-  return road;
+  return settled(line, *middle, ground.frame());
 }
 
 std::size_t place(std::int32_t region) { return static_cast<std::size_t>(region) - 1; }
@@ -90,6 +106,28 @@ std::size_t place(std::int32_t region) { return static_cast<std::size_t>(region)
 CellIndex door_of(const Border& border, std::int32_t region, const RegionSet& set,
                   const PaddedGrid<std::int32_t>& names) {
   return set.of(names[border.low]) == region ? border.low : border.high;
+}
+
+/// Finds the ways to the doors of a region; those it knows already are taken as they are.
+template <class Tiles>
+void find_ways(WaysToDoors& finder, CellIndex centre, std::vector<CellIndex> doors, Tiles tiles,
+               KnownRegion& region) {
+  std::vector<std::vector<CellIndex>> ways(doors.size());
+  std::vector<CellIndex> wanted;
+  std::vector<std::size_t> wanted_at;
+  for (std::size_t i = 0; i < doors.size(); ++i) {
+    const auto known = std::find(region.doors.begin(), region.doors.end(), doors[i]);
+    if (known == region.doors.end()) {
+      wanted.push_back(doors[i]);
+      wanted_at.push_back(i);
+    } else {
+      ways[i] = region.ways[static_cast<std::size_t>(known - region.doors.begin())];
+    }
+  }
+  std::vector<std::vector<CellIndex>> found = finder.find(centre, wanted, tiles);
+  for (std::size_t k = 0; k < wanted.size(); ++k) ways[wanted_at[k]] = std::move(found[k]);
+  region.doors = std::move(doors);
+  region.ways = std::move(ways);
 }
 
 std::vector<std::size_t> chosen(std::size_t count, const std::vector<Link>& links,
@@ -123,55 +161,52 @@ std::int32_t RegionRoadsRule::least_squared(double resolution) const {
 }
 
 std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                                     const RegionSet& set, const RegionParts& parts,
-                                     const std::vector<Border>& borders,
-                                     std::vector<RegionMemo::Known>& known,
-                                     std::vector<std::uint8_t>& same, const RegionRoadsRule& rule,
-                                     const RegionMemo& before, const Checkpoint& checkpoint) {
+                                     const TileParts& tiles, const RegionSet& set,
+                                     const RegionParts& parts, const std::vector<Door>& doors,
+                                     std::vector<KnownRegion>& known, const RegionRoadsRule& rule,
+                                     RegionMemo& memo, const Checkpoint& checkpoint) {
   const std::size_t count = known.size();
-  std::vector<std::vector<CellIndex>> doors(count);
+  std::vector<std::vector<CellIndex>> cells_of(count);
   struct Use {
     std::size_t first = 0, second = 0;  ///< regions; the one with the lower key first
     std::size_t out = 0, in = 0;        ///< of their ways
   };
   std::vector<Use> uses;
-  for (const Border& border : borders) {
+  uses.reserve(doors.size());
+  for (const Door& door : doors) {
+    const Border& border = door.border;
     const auto key = [&](std::int32_t region) { return known[place(region)].members.front(); };
     const bool swapped = key(border.b) < key(border.a);
     const std::int32_t first = swapped ? border.b : border.a,
                        second = swapped ? border.a : border.b;
-    uses.push_back(
-        {place(first), place(second), doors[place(first)].size(), doors[place(second)].size()});
-    doors[place(first)].push_back(door_of(border, first, set, names));
-    doors[place(second)].push_back(door_of(border, second, set, names));
+    uses.push_back({place(first), place(second), cells_of[place(first)].size(),
+                    cells_of[place(second)].size()});
+    cells_of[place(first)].push_back(door_of(border, first, set, names));
+    cells_of[place(second)].push_back(door_of(border, second, set, names));
   }
   const std::int32_t least = rule.least_squared(ground.frame().resolution);
   for_each_band(static_cast<std::int32_t>(count), checkpoint, [&] {
     return [&, finder = std::make_shared<WaysToDoors>(ground, names, set, least)](std::int32_t i) {
       const auto region = static_cast<std::size_t>(i);
-      RegionMemo::Known& now = known[region];
-      if (same[region] && now.doors == doors[region]) return;
-      same[region] = 0;
-      now.doors = doors[region];
-      now.ways = finder->find(cell_of(ground, now.centre), now.doors, parts.tiles[region]);
+      KnownRegion& now = known[region];
+      if (now.doors == cells_of[region]) return;
+      find_ways(
+          *finder, cell_of(ground, now.centre), std::move(cells_of[region]),
+          [&] { return parts.tiles_of(tiles, region); }, now);
     };
   });
-  std::vector<RegionRoad> roads(borders.size());
+  std::vector<RegionRoad> roads(doors.size());
   const double least_distance = rule.least_distance(ground.frame().resolution);
   const double tolerance = rule.tolerance / ground.frame().resolution;
-  for_each_band(static_cast<std::int32_t>(borders.size()), checkpoint, [&] {
+  for_each_band(static_cast<std::int32_t>(doors.size()), checkpoint, [&] {
     return [&](std::int32_t i) {
-      const Use& use = uses[static_cast<std::size_t>(i)];
       RegionRoad& road = roads[static_cast<std::size_t>(i)];
-      const RegionMemo::Known &first = known[use.first], &second = known[use.second];
-      if (same[use.first] && same[use.second]) {
-        const Border& border = borders[static_cast<std::size_t>(i)];
-        const auto found = before.roads.find({border.low, border.high});
-        if (found != before.roads.end()) {
-          road = found->second;
-          return;
-        }
+      if (const std::int32_t before = doors[static_cast<std::size_t>(i)].before; before >= 0) {
+        road = std::move(memo.roads[static_cast<std::size_t>(before)]);
+        return;
       }
+      const Use& use = uses[static_cast<std::size_t>(i)];
+      const KnownRegion &first = known[use.first], &second = known[use.second];
       const auto& out = first.ways[use.out];
       const auto& in = second.ways[use.in];
       if (out.empty() || in.empty()) return;
@@ -191,44 +226,26 @@ std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std:
   return roads;
 }
 
-RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<RegionMemo::Known>& known,
-                         const std::vector<Border>& borders, const std::vector<RegionRoad>& roads,
+RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<KnownRegion>& known,
+                         const std::vector<Door>& doors, const std::vector<RegionRoad>& roads,
                          const RegionRoadsRule& rule) {
-  RoadGraph graph;
-  for (const RegionMemo::Known& region : known) {
+  std::vector<RoadNode> nodes;
+  nodes.reserve(known.size());
+  for (const KnownRegion& region : known) {
     const Vector2 at = frame.to_map(region.centre.x + 0.5, region.centre.y + 0.5);
-    graph.nodes.push_back({0, at.x(), at.y(), kNoElevation});
+    nodes.push_back({0, at.x(), at.y(), kNoElevation});
   }
   std::vector<Link> links;
   std::vector<std::size_t> wide;
   for (std::size_t i = 0; i < roads.size(); ++i) {
-    if (roads[i].line.empty()) continue;
-    double length = 0;
-    for (std::size_t k = 1; k < roads[i].line.size(); ++k)
-      length += distance_between(roads[i].line[k - 1], roads[i].line[k]);
-    links.push_back({borders[i].a - 1, borders[i].b - 1, length});
+    if (!roads[i].exists()) continue;
+    links.push_back({doors[i].border.a - 1, doors[i].border.b - 1, roads[i].length});
     wide.push_back(i);
   }
-  for (const std::size_t i : chosen(known.size(), links, rule)) {
-    const RegionRoad& road = roads[wide[i]];
-    auto from = static_cast<std::uint32_t>(links[i].from);
-    auto to = static_cast<std::uint32_t>(links[i].to);
-    if (known[to].members.front() < known[from].members.front()) std::swap(from, to);
-    RoadEdge edge;
-    edge.from = from;
-    edge.to = to;
-    edge.first_vertex = static_cast<std::uint32_t>(graph.vertices.size());
-    edge.vertex_count = static_cast<std::uint32_t>(road.line.size());
-    for (const LinePoint& point : road.line) {
-      const Vector2 at = frame.to_map(point.x, point.y);
-      graph.vertices.push_back(
-          {at.x(), at.y(), kNoElevation, std::max(0.0, point.distance - 0.5) * frame.resolution});
-    }
-    edge.width = 2 * std::max(0.0, road.median - 0.5) * frame.resolution;
-    graph.edges.push_back(edge);
-  }
-  canonicalize(graph);
-  return graph;
+  std::vector<SettledRoad> kept;
+  for (const std::size_t i : chosen(known.size(), links, rule))
+    kept.push_back({links[i].from, links[i].to, &roads[wide[i]].settled});
+  return assemble_roads(nodes, kept);
 }
 
 }  // namespace stope::topology

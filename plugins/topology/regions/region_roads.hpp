@@ -27,22 +27,20 @@ struct RegionRoadsRule {
   std::int32_t least_squared(double resolution) const;
 };
 
-/// A road across each border, in their order: from centre to centre through the clearest place of
-/// the border, within the two regions. Each half is straight if that keeps enough clearance, else
-/// the way of least length over clearance. Without a line if there is no way that keeps to
-/// min_clearance. Regions are `known` up to their doors and ways, which
-/// are found if they are not yet; `same` tells of which regions and all about them are as they were
-/// when `before` was.
+/// A road through each door, in their order: from centre to centre through its clearest place,
+/// within the two regions. Each half is straight if that keeps enough clearance, else the way of
+/// least length over clearance. Without a line if there is no way that keeps to min_clearance.
+/// Regions are `known` up to their doors and ways, which are found where they are not known from
+/// the map before. What the memo knows of doors that are there again is taken from it.
 std::vector<RegionRoad> region_roads(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                                     const RegionSet& set, const RegionParts& parts,
-                                     const std::vector<Border>& borders,
-                                     std::vector<RegionMemo::Known>& known,
-                                     std::vector<std::uint8_t>& same, const RegionRoadsRule& rule,
-                                     const RegionMemo& before, const Checkpoint& checkpoint);
+                                     const TileParts& tiles, const RegionSet& set,
+                                     const RegionParts& parts, const std::vector<Door>& doors,
+                                     std::vector<KnownRegion>& known, const RegionRoadsRule& rule,
+                                     RegionMemo& memo, const Checkpoint& checkpoint);
 
 /// The graph with a node at each centre, and those of the roads that are wide enough and wanted.
-RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<RegionMemo::Known>& known,
-                         const std::vector<Border>& borders, const std::vector<RegionRoad>& roads,
+RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<KnownRegion>& known,
+                         const std::vector<Door>& doors, const std::vector<RegionRoad>& roads,
                          const RegionRoadsRule& rule);
 
 }  // namespace stope::topology

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "plugins/topology/regions/tile_parts.hpp"
@@ -28,47 +28,35 @@ struct RegionSet {
 
 /// What regions 1 … count consist of.
 struct RegionParts {
-  std::vector<std::vector<CellIndex>> members;    ///< keys of their names, increasing
-  std::vector<std::vector<CellIndex>> cut_off;    ///< … of those that are
-  std::vector<std::vector<std::int32_t>> tiles;   ///< in which they have cells, increasing
-  std::vector<std::vector<TileSquares>> squares;  ///< of each of those
+  std::vector<std::vector<std::int32_t>> names;  ///< increasing
+  std::vector<std::vector<CellIndex>> members;   ///< the names' keys, increasing
+  std::vector<std::vector<CellIndex>> cut_off;   ///< … of those that are
   std::vector<std::int64_t> free_cells;
+
+  /// In which tiles a region has cells, increasing.
+  std::vector<std::int32_t> tiles_of(const TileParts& tiles, std::size_t region) const;
+
+  /// Leaves out the regions, by place, that are not `wanted`.
+  template <class Wanted>
+  void keep(Wanted wanted) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!wanted(i)) continue;
+      if (kept != i) {
+        names[kept] = std::move(names[i]);
+        members[kept] = std::move(members[i]);
+        cut_off[kept] = std::move(cut_off[i]);
+        free_cells[kept] = free_cells[i];
+      }
+      ++kept;
+    }
+    names.resize(kept);
+    members.resize(kept);
+    cut_off.resize(kept);
+    free_cells.resize(kept);
+  }
 };
 
-inline RegionParts parts_of_regions(const TileParts& tiles, const RegionSet& set) {
-  RegionParts parts;
-  const auto count = static_cast<std::size_t>(set.count);
-  parts.members.resize(count);
-  parts.cut_off.resize(count);
-  parts.tiles.resize(count);
-  parts.squares.resize(count);
-  parts.free_cells.resize(count, 0);
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
-    for (const TilePart& part : tiles.parts(tile)) {
-      const std::int32_t region = set.of(part.name);
-      if (region == 0) continue;
-      const auto place = static_cast<std::size_t>(region) - 1;
-      parts.free_cells[place] += part.free_cells;
-      auto& own = parts.tiles[place];
-      auto& squares = parts.squares[place];
-      if (own.empty() || own.back() != static_cast<std::int32_t>(tile)) {
-        own.push_back(static_cast<std::int32_t>(tile));
-        squares.push_back(0);
-      }
-      squares.back() |= part.squares;
-    }
-  }
-  for (std::size_t name = 0; name < set.of_name.size(); ++name) {
-    const std::int32_t region = set.of_name[name];
-    if (region == 0) continue;
-    const auto place = static_cast<std::size_t>(region) - 1;
-    parts.members[place].push_back(set.key_of_name[name]);
-    if (set.is_cut_off(static_cast<std::int32_t>(name)))
-      parts.cut_off[place].push_back(set.key_of_name[name]);
-  }
-  for (auto& members : parts.members) std::sort(members.begin(), members.end());
-  for (auto& members : parts.cut_off) std::sort(members.begin(), members.end());
-  return parts;
-}
+RegionParts parts_of_regions(const TileParts& tiles, const RegionSet& set);
 
 }  // namespace stope::topology

@@ -59,7 +59,7 @@ ShapePoint centre_of_gravity(const std::vector<HullPoint>& polygon, const HullPo
 
 RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
                      const RegionSet& set, std::int32_t region,
-                     const std::vector<std::int32_t>& tiles) {
+                     std::span<const std::int32_t> tiles) {
   const TileSet geometry(ground.width(), ground.height());
   struct Extent {
     std::int32_t left = INT32_MAX, right = -1;
@@ -114,21 +114,15 @@ void update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
   const std::size_t known = moved ? shapes.size() : 0;
   shapes.resize(set.of_name.size());
   std::vector<std::int32_t> stale;
-  std::vector<std::vector<std::int32_t>> tiles_of(set.of_name.size());
   for (std::size_t name = 1; name < set.of_name.size(); ++name)
     if (set.of_name[name] != 0 &&
         (name >= known || moved->has_name(static_cast<std::int32_t>(name))))
       stale.push_back(static_cast<std::int32_t>(name));
-  std::vector<std::uint8_t> wanted(set.of_name.size(), 0);
-  for (const std::int32_t name : stale) wanted[static_cast<std::size_t>(name)] = 1;
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
-    for (const TilePart& part : tiles.parts(tile))
-      if (const auto name = static_cast<std::size_t>(part.name); wanted[name])
-        tiles_of[name].push_back(static_cast<std::int32_t>(tile));
   for_each_band(static_cast<std::int32_t>(stale.size()), checkpoint, [&] {
     return [&](std::int32_t i) {
-      const auto name = static_cast<std::size_t>(stale[static_cast<std::size_t>(i)]);
-      shapes[name] = shape_of(ground, names, set, set.of_name[name], tiles_of[name]);
+      const std::int32_t name = stale[static_cast<std::size_t>(i)];
+      const auto place = static_cast<std::size_t>(name);
+      shapes[place] = shape_of(ground, names, set, set.of_name[place], tiles.tiles_of(name));
     };
   });
 }

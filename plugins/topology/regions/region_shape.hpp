@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "plugins/topology/regions/ground.hpp"
@@ -39,7 +40,7 @@ ShapePoint centre_of_gravity(const std::vector<HullPoint>& polygon, const HullPo
 /// The shape of one region, of which `tiles` are all tiles with cells.
 RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names,
                      const RegionSet& set, std::int32_t region,
-                     const std::vector<std::int32_t>& tiles);
+                     std::span<const std::int32_t> tiles);
 
 /// Makes the shapes those of the set's regions, each of which has one name; by name. With `moved`
 /// they are those of an earlier map, of which the names tell which are others now.

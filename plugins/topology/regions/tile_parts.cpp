@@ -120,6 +120,7 @@ void TileParts::look_at(const Ground& ground, const PaddedGrid<std::int32_t>& na
   constexpr std::int32_t kTogether = 32;
   const TileSet geometry(ground.width(), ground.height());
   const auto count = static_cast<std::int32_t>(tiles.size());
+  for (const std::int32_t tile : tiles) forget(tile);
   for_each_band((count + kTogether - 1) / kTogether, checkpoint, [&] {
     return [&, scan = std::make_shared<TileScan>(ground, names)](std::int32_t band) {
       for (std::int32_t i = band * kTogether; i < std::min(count, (band + 1) * kTogether); ++i) {
@@ -131,6 +132,26 @@ void TileParts::look_at(const Ground& ground, const PaddedGrid<std::int32_t>& na
       }
     };
   });
+  for (const std::int32_t tile : tiles) remember(tile);
+}
+
+void TileParts::forget(std::int32_t tile) {
+  for (const TilePart& part : parts(static_cast<std::size_t>(tile))) {
+    const auto name = static_cast<std::size_t>(part.name);
+    free_cells_of_[name] -= part.free_cells;
+    auto& own = tiles_of_[name];
+    own.erase(std::lower_bound(own.begin(), own.end(), tile));
+  }
+}
+
+void TileParts::remember(std::int32_t tile) {
+  for (const TilePart& part : parts(static_cast<std::size_t>(tile))) {
+    const auto name = static_cast<std::size_t>(part.name);
+    if (name >= tiles_of_.size()) tiles_of_.resize(name + 1), free_cells_of_.resize(name + 1, 0);
+    free_cells_of_[name] += part.free_cells;
+    auto& own = tiles_of_[name];
+    own.insert(std::lower_bound(own.begin(), own.end(), tile), tile);
+  }
 }
 
 std::vector<std::int32_t> all_tiles(const Ground& ground) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "plugins/topology/regions/ground.hpp"
@@ -47,14 +48,28 @@ class TileParts {
   const std::vector<Contact>& contacts(std::size_t tile) const { return tiles_[tile].contacts; }
   /// How many free cells of a tile have no name.
   std::int32_t nameless(std::size_t tile) const { return tiles_[tile].nameless; }
+  /// In which tiles a name has cells, increasing, and how many of them are free.
+  std::span<const std::int32_t> tiles_of(std::int32_t name) const {
+    const auto place = static_cast<std::size_t>(name);
+    return place < tiles_of_.size() ? tiles_of_[place] : std::span<const std::int32_t>();
+  }
+  std::int64_t free_cells_of(std::int32_t name) const {
+    const auto place = static_cast<std::size_t>(name);
+    return place < free_cells_of_.size() ? free_cells_of_[place] : 0;
+  }
 
  private:
+  void forget(std::int32_t tile);
+  void remember(std::int32_t tile);
+
   struct Tile {
     std::vector<TilePart> parts;
     std::vector<Contact> contacts;
     std::int32_t nameless = 0;
   };
   std::vector<Tile> tiles_;
+  std::vector<std::vector<std::int32_t>> tiles_of_;  ///< by name
+  std::vector<std::int64_t> free_cells_of_;          ///< by name
 };
 
 /// All tiles of a grid.

@@ -1,10 +1,12 @@
 // Problem: from the centre of a region to each place where it can be left, keep to the middle.
 // Idea: the straight line, if it stays in the region and about as clear as its ends; else the way
-// of least length over clearance, by Dijkstra's algorithm over the region's cells, with buckets for
-// a queue (Dial 1969). In a corridor, straight or bent round a centre, that way is the middle line
-// however wide the rest of the region is. Cells that are too narrow are walls, so a way is missing
-// only if there is none.
-// Cost: linear in the tiles a region has cells in at worst; most regions need only lines.
+// of least length over clearance, over the region's cells. In a corridor, straight or bent round a
+// centre, that way is the middle line however wide the rest of the region is. It is searched for by
+// A* (Hart, Nilsson and Raphael 1968) with buckets for a queue (Dial 1969): clearance grows by no
+// more than one goes, so between two clearances a distance costs at least so much, which keeps the
+// search out of whatever is not on the way to a narrow door. Cells that are too narrow are walls,
+// so a way is missing only if there is none. Cost: linear in the cells around the ways, at worst in
+// the tiles a region has cells in; most regions need only lines.
 #include "plugins/topology/regions/ways_to_doors.hpp"
 
 #include <algorithm>
@@ -20,7 +22,12 @@ namespace stope::topology {
 namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity(), kWall = 0;
-constexpr std::int32_t kNoTile = -1;
+constexpr std::int32_t kSide = TileSet::kSide;
+constexpr std::int32_t kNoTile = -1, kNotYet = -2;
+constexpr float kUnknown = -1;
+constexpr float kDiagonal = 1.41421356F;
+// As neighbour_steps.
+constexpr std::array<std::int32_t, 8> kX{1, 0, -1, 0, 1, -1, -1, 1}, kY{0, 1, 0, -1, 1, 1, -1, -1};
 
 /// Share of the clearance at its ends that a straight line keeps, so that it leaves the middle of
 /// a road by little.
@@ -29,11 +36,17 @@ constexpr double kStraightShare = 0.9;
 /// Clearance of a cell from the obstacle's edge, in cells.
 float clearance_of(std::int32_t squared) { return std::sqrt(static_cast<float>(squared)) - 0.5F; }
 
+bool is_at_side(std::int32_t place) {
+  constexpr std::int32_t kLast = kSide - 1;
+  const std::int32_t x = place % kSide, y = place / kSide % kSide;
+  return x == 0 || y == 0 || x == kLast || y == kLast;
+}
+
 }  // namespace
 
-std::vector<std::vector<CellIndex>> WaysToDoors::find(CellIndex centre,
-                                                      const std::vector<CellIndex>& doors,
-                                                      const std::vector<std::int32_t>& tiles) {
+std::vector<std::vector<CellIndex>> WaysToDoors::find(
+    CellIndex centre, const std::vector<CellIndex>& doors,
+    const std::function<std::vector<std::int32_t>()>& tiles) {
   std::vector<std::vector<CellIndex>> ways;
   std::vector<CellIndex> hidden;
   for (const CellIndex door : doors) {
@@ -43,13 +56,13 @@ std::vector<std::vector<CellIndex>> WaysToDoors::find(CellIndex centre,
   }
   if (hidden.empty()) return ways;
   std::sort(hidden.begin(), hidden.end());
-  spread(region_of(centre), tiles);
+  box_tiles(region_of(centre), tiles());
   search(centre, hidden);
   const auto steps = neighbour_steps(ground_.stride());
   const auto place = [&](CellIndex cell) { return static_cast<std::size_t>(place_of(cell)); };
   for (std::size_t i = 0; i < doors.size(); ++i) {
     if (!std::binary_search(hidden.begin(), hidden.end(), doors[i])) continue;
-    if (cost_[place(doors[i])] == kUnreached) continue;
+    if (cells_[place(doors[i])].cost == kUnreached) continue;
     for (CellIndex cell = doors[i]; cell != centre; cell -= steps[back_[place(cell)]])
       ways[i].push_back(cell);
     ways[i].push_back(centre);
@@ -57,8 +70,7 @@ std::vector<std::vector<CellIndex>> WaysToDoors::find(CellIndex centre,
   return ways;
 }
 
-void WaysToDoors::spread(std::int32_t region, const std::vector<std::int32_t>& tiles) {
-  constexpr std::int32_t kSide = TileSet::kSide;
+void WaysToDoors::box_tiles(std::int32_t region, const std::vector<std::int32_t>& tiles) {
   const std::int32_t across = (ground_.stride() + kSide - 1) / kSide;
   std::int32_t right = 0, top = 0;
   left_ = bottom_ = INT32_MAX;
@@ -67,54 +79,59 @@ void WaysToDoors::spread(std::int32_t region, const std::vector<std::int32_t>& t
     bottom_ = std::min(bottom_, tile / across), top = std::max(top, tile / across);
   }
   --left_, --bottom_;  // a margin of tiles without the region
+  region_ = region;
   across_ = right - left_ + 2;
   number_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(top - bottom_ + 2),
                  kNoTile);
+  for (const std::int32_t tile : tiles)
+    number_[static_cast<std::size_t>((tile / across - bottom_) * across_ + tile % across - left_)] =
+        kNotYet;
   box_place_.clear();
-  slowness_.assign(tiles.size() * kSide * kSide, kWall);
-  cost_.assign(slowness_.size(), kUnreached);
-  back_.resize(slowness_.size());
-  slowest_ = 0, quickest_ = kUnreached;
-  const TileSet geometry(ground_.width(), ground_.height());
-  for (const std::int32_t tile : tiles) {
-    float* row = slowness_.data() + box_place_.size() * kSide * kSide;
-    const std::int32_t place = (tile / across - bottom_) * across_ + tile % across - left_;
-    number_[static_cast<std::size_t>(place)] = static_cast<std::int32_t>(box_place_.size());
-    box_place_.push_back(place);
-    geometry.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-      std::int32_t name = 0;
-      bool own = false;
-      for (std::int32_t i = 0; i < count; ++i) {
-        const CellIndex cell = first + i;
-        if (names_[cell] != name) name = names_[cell], own = set_.of(name) == region;
-        if (!own || ground_.squared(cell) < least_) continue;
-        row[i] = 0.5F / clearance_of(ground_.squared(cell));
-        slowest_ = std::max(slowest_, row[i]);
-        quickest_ = std::min(quickest_, row[i]);
-      }
-      row += kSide;
-    });
-  }
+  cells_.clear();
+  back_.clear();
 }
 
-std::int32_t WaysToDoors::place_of(CellIndex cell) const {
-  constexpr std::int32_t kSide = TileSet::kSide;
+/// Which of the blocks of cells a tile of the box has become, or kNoTile.
+std::int32_t WaysToDoors::block_at(std::int32_t box_place) {
+  std::int32_t& number = number_[static_cast<std::size_t>(box_place)];
+  if (number != kNotYet) return number;
+  number = static_cast<std::int32_t>(box_place_.size());
+  box_place_.push_back(box_place);
+  const std::size_t first_place = cells_.size();
+  cells_.resize(first_place + kSide * kSide, {kWall, kUnreached, kUnknown, kUnreached});
+  back_.resize(cells_.size());
+  const std::int32_t across = (ground_.stride() + kSide - 1) / kSide;
+  const std::int32_t tile = (box_place / across_ + bottom_) * across + box_place % across_ + left_;
+  Cell* row = cells_.data() + first_place;
+  geometry_.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
+    std::int32_t name = 0;
+    bool own = false;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const CellIndex cell = first + i;
+      if (names_[cell] != name) name = names_[cell], own = set_.of(name) == region_;
+      if (own && ground_.squared(cell) >= least_)
+        row[i].slowness = 0.5F / clearance_of(ground_.squared(cell));
+    }
+    row += kSide;
+  });
+  return number;
+}
+
+std::int32_t WaysToDoors::place_of(CellIndex cell) {
   const std::int32_t x = ground_.column(cell) + 1, y = ground_.row(cell) + 1;
-  const std::int32_t tile =
-      number_[static_cast<std::size_t>((y / kSide - bottom_) * across_ + x / kSide - left_)];
-  return (tile * kSide + y % kSide) * kSide + x % kSide;
+  const std::int32_t block = block_at((y / kSide - bottom_) * across_ + x / kSide - left_);
+  return (block * kSide + y % kSide) * kSide + x % kSide;
 }
 
 /// The place beside one, or kNoTile where the region has no cell in the tile there.
-std::int32_t WaysToDoors::beside(std::int32_t place, std::int32_t dx, std::int32_t dy) const {
-  constexpr std::int32_t kSide = TileSet::kSide;
+std::int32_t WaysToDoors::beside(std::int32_t place, std::int32_t dx, std::int32_t dy) {
   const std::int32_t x = place % kSide + dx, y = place / kSide % kSide + dy;
   if (x >= 0 && y >= 0 && x < kSide && y < kSide) return place + dy * kSide + dx;
   const auto over = [](std::int32_t at) { return at < 0 ? -1 : at >= kSide ? 1 : 0; };
   const std::int32_t from = box_place_[static_cast<std::size_t>(place / (kSide * kSide))];
-  const std::int32_t tile = number_[static_cast<std::size_t>(from + over(y) * across_ + over(x))];
-  if (tile == kNoTile) return kNoTile;
-  return (tile * kSide + (y + kSide) % kSide) * kSide + (x + kSide) % kSide;
+  const std::int32_t block = block_at(from + over(y) * across_ + over(x));
+  if (block == kNoTile) return kNoTile;
+  return (block * kSide + (y + kSide) % kSide) * kSide + (x + kSide) % kSide;
 }
 
 std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const {
@@ -138,48 +155,83 @@ std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const
   return cells;
 }
 
-void WaysToDoors::search(CellIndex centre, std::vector<CellIndex> doors) {
-  constexpr float kDiagonal = 1.41421356F;
-  // As neighbour_steps.
-  constexpr std::array<std::int32_t, 8> kX{1, 0, -1, 0, 1, -1, -1, 1},
-      kY{0, 1, 0, -1, 1, 1, -1, -1};
-  // A step costs at least what a bucket holds, so cells in the lowest one are done, and at most
-  // what all of them do.
-  const float bucket = 2 * quickest_;
-  const auto bucket_of = [&](float cost) { return static_cast<std::size_t>(cost / bucket); };
-  const std::size_t count = bucket_of(kDiagonal * 2 * slowest_) + 8;
-  std::vector<std::vector<std::int32_t>> buckets(count);
-  cost_[static_cast<std::size_t>(place_of(centre))] = 0;
-  buckets[0].push_back(place_of(centre));
-  doors.erase(std::unique(doors.begin(), doors.end()), doors.end());
+/// A lower bound of what is left of a way. From a place to the next the clearance grows by no more
+/// than their distance, so on a way of length L between clearances a and b it is at most
+/// min(a + s, b + L - s), which costs ln(p^2 / (a b)) with p = (a + b + L) / 2; and by the triangle
+/// inequality a step never costs less than it takes off this.
+float WaysToDoors::least_cost_on(std::int32_t place) const {
+  const std::int32_t box = box_place_[static_cast<std::size_t>(place / (kSide * kSide))];
+  const auto x = static_cast<float>((box % across_) * kSide + place % kSide);
+  const auto y = static_cast<float>((box / across_) * kSide + place / kSide % kSide);
+  const float own = 0.5F / cells_[static_cast<std::size_t>(place)].slowness;
+  float least = kUnreached;
+  for (const Goal& goal : goals_) {
+    const float dx = x - goal.x, dy = y - goal.y;
+    const float p = 0.5F * (std::sqrt(dx * dx + dy * dy) + own + goal.clearance);
+    least = std::min(least, p * p / goal.clearance);
+  }
+  return std::max(0.0F, std::log(least / own));
+}
+
+void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) {
+  // Any width will do that is more than rounding. A step costs as much as the narrowest cells at
+  // most, and takes the same off what is left at most.
+  const float slowest = 0.5F / clearance_of(least_);
+  const float to_bucket = clearance_of(ground_.squared(centre));
+  const auto bucket_of = [&](float cost) { return static_cast<std::size_t>(cost * to_bucket); };
+  const std::size_t count = bucket_of(2 * kDiagonal * 2 * slowest) + 8;
+  for (auto& left : buckets_) left.clear();
+  buckets_.resize(std::max(count, buckets_.size()));
+  std::vector<std::int32_t> wanted;
+  goals_.clear();
+  for (const CellIndex door : doors) {
+    wanted.push_back(place_of(door));
+    const std::int32_t x = ground_.column(door) + 1, y = ground_.row(door) + 1;
+    goals_.push_back({static_cast<float>(x - left_ * kSide),
+                      static_cast<float>(y - bottom_ * kSide),
+                      clearance_of(ground_.squared(door))});
+  }
+  const std::int32_t first = place_of(centre);
+  cells_[static_cast<std::size_t>(first)].cost = 0;
+  std::size_t at = bucket_of(least_cost_on(first));
+  buckets_[at % count].push_back(first);
+  std::array<std::int32_t, 8> within{};  // places of the neighbours, but for cells at a tile's side
+  for (std::size_t i = 0; i < 8; ++i) within[i] = kY[i] * kSide + kX[i];
   std::size_t waiting = 1;
-  for (std::size_t at = 0; waiting > 0 && !doors.empty(); ++at) {
-    std::vector<std::int32_t>& now = buckets[at % count];
-    for (std::size_t k = 0; k < now.size(); ++k) {  // rounding may add one to it meanwhile
+  for (; waiting > 0 && !wanted.empty(); ++at) {
+    std::vector<std::int32_t>& now = buckets_[at % count];
+    for (std::size_t k = 0; k < now.size(); ++k) {
       const std::int32_t place = now[k];
-      const float cost = cost_[static_cast<std::size_t>(place)];
-      if (bucket_of(cost) != at) continue;  // a better way to it was found since
-      const float own = slowness_[static_cast<std::size_t>(place)];
+      Cell& here = cells_[static_cast<std::size_t>(place)];
+      if (here.gone_on == here.cost) continue;
+      here.gone_on = here.cost;
+      const Cell own = here;  // there may be more blocks soon
+      const bool at_side = is_at_side(place);
       for (std::size_t i = 0; i < 8; ++i) {
-        const std::int32_t next = beside(place, kX[i], kY[i]);
+        const std::int32_t next = at_side ? beside(place, kX[i], kY[i]) : place + within[i];
         if (next == kNoTile) continue;
-        const auto there = static_cast<std::size_t>(next);
-        if (slowness_[there] == kWall) continue;
-        const float total = cost + (i < 4 ? 1.0F : kDiagonal) * (own + slowness_[there]);
+        Cell& there = cells_[static_cast<std::size_t>(next)];
+        if (there.slowness == kWall) continue;
+        const float total = own.cost + (i < 4 ? 1.0F : kDiagonal) * (own.slowness + there.slowness);
+        if (total > there.cost) continue;
         // Of equally good ways the one that is kept does not depend on which is found first.
-        if (total > cost_[there] || (total == cost_[there] && i >= back_[there])) continue;
-        back_[there] = static_cast<std::uint8_t>(i);
-        if (total == cost_[there]) continue;
-        cost_[there] = total;
-        buckets[bucket_of(total) % count].push_back(next);
+        std::uint8_t& back = back_[static_cast<std::size_t>(next)];
+        if (total == there.cost) {
+          back = std::min(back, static_cast<std::uint8_t>(i));
+          continue;
+        }
+        back = static_cast<std::uint8_t>(i);
+        there.cost = total;
+        if (there.left < 0) there.left = least_cost_on(next);
+        buckets_[std::max(at, bucket_of(total + there.left)) % count].push_back(next);
         ++waiting;
       }
     }
     waiting -= now.size();
     now.clear();
-    std::erase_if(doors, [&](CellIndex door) {
-      const float cost = cost_[static_cast<std::size_t>(place_of(door))];
-      return cost != kUnreached && bucket_of(cost) <= at;
+    std::erase_if(wanted, [&](std::int32_t door) {
+      const Cell& there = cells_[static_cast<std::size_t>(door)];
+      return there.cost != kUnreached && bucket_of(there.cost) < at;
     });
   }
 }

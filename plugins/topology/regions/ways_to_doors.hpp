@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "plugins/topology/regions/region_set.hpp"
+#include "plugins/topology/tile_set.hpp"
 
 namespace stope::topology {
 
@@ -12,33 +13,49 @@ class WaysToDoors {
   /// Ways lead over cells of at least a squared clearance of `least` only, which is 1 or more.
   WaysToDoors(const Ground& ground, const PaddedGrid<std::int32_t>& names, const RegionSet& set,
               std::int32_t least)
-      : ground_(ground), names_(names), set_(set), least_(least) {}
+      : ground_(ground),
+        names_(names),
+        set_(set),
+        geometry_(ground.width(), ground.height()),
+        least_(least) {}
   /// For each of the cells `doors` the cells from it to `centre`, both included; none if such cells
-  /// of the region, in which all lie, do not join the two. `tiles` are all with cells of the
-  /// region, increasing.
+  /// of the region, in which all lie, do not join the two. `tiles` gives all with cells of the
+  /// region, increasing; it is asked only where straight lines do not do.
   std::vector<std::vector<CellIndex>> find(CellIndex centre, const std::vector<CellIndex>& doors,
-                                           const std::vector<std::int32_t>& tiles);
+                                           const std::function<std::vector<std::int32_t>()>& tiles);
 
  private:
   std::int32_t region_of(CellIndex cell) const { return set_.of(names_[cell]); }
   std::vector<CellIndex> straight(CellIndex from, CellIndex to) const;
-  void search(CellIndex centre, std::vector<CellIndex> doors);
-  void spread(std::int32_t region, const std::vector<std::int32_t>& tiles);
-  std::int32_t place_of(CellIndex cell) const;
-  std::int32_t beside(std::int32_t place, std::int32_t dx, std::int32_t dy) const;
+  void search(CellIndex centre, const std::vector<CellIndex>& doors);
+  float least_cost_on(std::int32_t place) const;
+  void box_tiles(std::int32_t region, const std::vector<std::int32_t>& tiles);
+  std::int32_t place_of(CellIndex cell);
+  std::int32_t beside(std::int32_t place, std::int32_t dx, std::int32_t dy);
+  std::int32_t block_at(std::int32_t box_place);
 
   const Ground& ground_;
   const PaddedGrid<std::int32_t>& names_;
   const RegionSet& set_;
+  TileSet geometry_;
   std::int32_t least_;
-  // The region's tiles one after the other, and in each its cells, row after row, have places: for
-  // each, what half a step through the cell costs, or that it is a wall; what the way from the
-  // centre costs, and the step by which it comes.
-  std::vector<float> slowness_, cost_;
-  std::vector<std::uint8_t> back_;
-  float slowest_ = 0, quickest_ = 0;
-  // In the box of tiles around them, which has a margin: which of them a tile is, and back.
-  std::int32_t left_ = 0, bottom_ = 0, across_ = 0;
+  // The region's tiles, as far as the search has come, one after the other, and in each its cells,
+  // row after row, have places.
+  struct Cell {
+    float slowness;  ///< what half a step through it costs, or that it is a wall
+    float cost;      ///< of the way from the centre
+    float left;      ///< at least this is left from here to a door; not known yet if negative
+    float gone_on;   ///< the cost with which its neighbours were reached last
+  };
+  struct Goal {
+    float x = 0, y = 0, clearance = 0;
+  };
+  std::vector<Goal> goals_;
+  std::vector<Cell> cells_;
+  std::vector<std::uint8_t> back_;                  ///< the step by which that way comes
+  std::vector<std::vector<std::int32_t>> buckets_;  ///< places to go on from, by cost, in turn
+  // In the box of the region's tiles, which has a margin: which of them a tile is, and back.
+  std::int32_t region_ = 0, left_ = 0, bottom_ = 0, across_ = 0;
   std::vector<std::int32_t> number_, box_place_;
 };
 

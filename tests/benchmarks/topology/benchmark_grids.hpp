@@ -98,18 +98,29 @@ inline OccupancyGrid fullest_window(const OccupancyGrid& mine) {
   return best;
 }
 
-/// The real mine, at 0.1 m unless another raster is named, if that is there.
-inline cv::Mat read_mine(const char* name = "dapai_0p1m.png") {
+/// The rasters of the real mine, at 0.1 and 0.5 m.
+constexpr const char* kMineFine = "dapai_0p1m.png";
+constexpr const char* kMineCoarse = "dapai_0p5m.png";
+
+inline std::filesystem::path mine_raster(const char* name) {
   const char* data = std::getenv("STOPE_DATA");
-  const std::filesystem::path file =
-      std::filesystem::path(data ? data : STOPE_DEFAULT_DATA) / "open_pit_maps" / name;
-  if (!std::filesystem::exists(file)) {
-    fmt::print("The mine's raster {} is not there, so it is left out; set STOPE_DATA.\n",
-               file.string());
-    return {};
-  }
+  return std::filesystem::path(data ? data : STOPE_DEFAULT_DATA) / "open_pit_maps" / name;
+}
+
+/// Whether the mine is there; says if it is not.
+inline bool has_mine() {
+  const std::filesystem::path file = mine_raster(kMineFine);
+  if (std::filesystem::exists(file)) return true;
+  fmt::print("The mine's raster {} is not there, so it is left out; set STOPE_DATA.\n",
+             file.string());
+  return false;
+}
+
+/// One of them; empty if the mine is not there.
+inline cv::Mat read_mine(const char* name = kMineFine) {
+  if (!has_mine()) return {};
   ::setenv("OPENCV_IO_MAX_IMAGE_PIXELS", "1000000000", 1);
-  return cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  return cv::imread(mine_raster(name).string(), cv::IMREAD_GRAYSCALE);
 }
 
 /// Time this thread has run, in milliseconds: what others do on the same core does not count.

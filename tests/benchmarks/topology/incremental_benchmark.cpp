@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "plugins/topology/regions/room_divider.hpp"
 #include "plugins/topology/regions/segment_by_growth.hpp"
@@ -105,10 +107,25 @@ struct RegionGrowingMember : RegionMember {
   }
 };
 
+/// A grid that is made when it is first wanted.
+class LazyGrid {
+ public:
+  explicit LazyGrid(std::function<OccupancyGrid()> make) : make_(std::move(make)) {}
+  const OccupancyGrid& get() {
+    if (!grid_) grid_ = make_();
+    return *grid_;
+  }
+
+ private:
+  std::function<OccupancyGrid()> make_;
+  std::optional<OccupancyGrid> grid_;
+};
+
 template <class Member>
-void run(const std::string& name, OccupancyGrid grid, Member member, bool where_free,
+void run(const std::string& name, LazyGrid& first, Member member, bool where_free,
          const Options& options) {
   if (name.find(options.only) == std::string::npos) return;
+  OccupancyGrid grid = first.get();
   constexpr std::array<const char*, kChangeKinds> kNames{
       "obstacle appears", "obstacle goes", "road is cut", "road opens", "rough faces",
       "all blocked",      "all free",      "speckles",    "nothing"};
@@ -146,14 +163,12 @@ void run(const std::string& name, OccupancyGrid grid, Member member, bool where_
   std::fflush(stdout);
 }
 
-void run_regions(const std::string& name, const OccupancyGrid& grid, bool where_free,
-                 const Options& options) {
+void run_regions(const std::string& name, LazyGrid& grid, bool where_free, const Options& options) {
   run(name + ", voronoi_regions", grid, VoronoiRegionsMember{}, where_free, options);
   run(name + ", region_growing", grid, RegionGrowingMember{}, where_free, options);
 }
 
-void run_all(const std::string& name, const OccupancyGrid& grid, bool where_free,
-             const Options& options) {
+void run_all(const std::string& name, LazyGrid& grid, bool where_free, const Options& options) {
   using Kind = ExtractionMethod::Kind;
   const auto run_one = [&](const char* member, Kind kind, SkeletonParams::Pruning pruning) {
     ExtractionMethod method;
@@ -184,14 +199,14 @@ int main(int argc, char** argv) {
     if (!std::strcmp(argv[i], "--only")) options.only = argv[i + 1];
   }
   cv::setNumThreads(1);
-  run_all("60 % free", synthetic(), false, options);
-  run_regions("City blocks", city_blocks(), false, options);
-  const cv::Mat image = read_mine();
-  if (image.empty()) return 0;
-  const stope::OccupancyGrid mine = fullest_window(from_image(image, 0.1));
+  LazyGrid noise(synthetic), blocks(city_blocks);
+  run_all("60 % free", noise, false, options);
+  run_regions("City blocks", blocks, false, options);
+  if (!has_mine()) return 0;
+  LazyGrid mine([] { return fullest_window(from_image(read_mine(kMineFine), 0.1)); });
   run_all("Mine", mine, false, options);
   run_all("Mine where it is free", mine, true, options);
   // Region maps are made of coarser grids than roads are.
-  run_regions("Mine at 0.5 m where it is free", from_image(read_mine("dapai_0p5m.png"), 0.5), true,
-              options);
+  LazyGrid coarse([] { return from_image(read_mine(kMineCoarse), 0.5); });
+  run_regions("Mine at 0.5 m where it is free", coarse, true, options);
 }

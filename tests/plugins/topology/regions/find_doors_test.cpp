@@ -54,9 +54,9 @@ struct Labelled {
   RegionSet set;
 };
 
-using Door = std::tuple<std::int32_t, std::int32_t, CellIndex, CellIndex, std::int32_t>;
+using PlacedDoor = std::tuple<std::int32_t, std::int32_t, CellIndex, CellIndex, std::int32_t>;
 
-Door door_of(const Border& border) {
+PlacedDoor door_of(const Border& border) {
   return {border.a, border.b, border.low, border.high, border.steps};
 }
 
@@ -95,15 +95,18 @@ TEST(FindDoors, AreTheConnectedPiecesOfWhatTwoRegionsHaveInCommon) {
     const std::vector<Border> all = expected_doors(map);
     const std::vector<Border> borders = find_borders(contacts, map.set);
     for (const std::int32_t least : {1, 4, 1000}) {
-      std::vector<Door> expected, found;
+      std::vector<PlacedDoor> expected, found;
       std::size_t pairs = 0;
       for (const Border& door : all)
         if (door.squared >= least || std::any_of(borders.begin(), borders.end(), [&](auto& border) {
               return border.low == door.low && border.high == door.high;
             }))
           expected.push_back(door_of(door));
-      for (const Border& door :
-           find_doors(map.ground, map.names, map.set, contacts, least, never_stop)) {
+      const SameRegions none{std::vector<std::uint8_t>(static_cast<std::size_t>(map.set.count), 0),
+                             {}};
+      for (const auto& [door, before] :
+           find_doors(map.ground, map.names, map.set, contacts, least, none, {}, never_stop)) {
+        EXPECT_EQ(before, -1);
         // The first of two regions is their border.
         if (found.empty() || std::get<0>(found.back()) != door.a ||
             std::get<1>(found.back()) != door.b) {
