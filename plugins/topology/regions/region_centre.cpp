@@ -21,15 +21,16 @@ class NearestClearCell {
         region_(region),
         least_(rule.least_distance(ground.frame().resolution)) {
     const TileSet geometry(ground.width(), ground.height());
-    std::int32_t best = 0;
     for (const std::int32_t tile : tiles)
       geometry.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
         for (CellIndex cell = first; cell < first + count; ++cell)
-          if (ground.squared(cell) > best && is_own(cell)) best = ground.squared(cell);
+          if (ground.squared(cell) > widest_ && is_own(cell)) widest_ = ground.squared(cell);
       });
-    wanted_ = std::max(share_of(best, rule.centre_share),
-                       std::min(best, rule.least_squared(ground.frame().resolution)));
+    wanted_ = std::max(share_of(widest_, rule.centre_share),
+                       std::min(widest_, rule.least_squared(ground.frame().resolution)));
   }
+
+  std::int32_t widest() const { return widest_; }
 
   ShapePoint find(const ShapePoint& point, const RegionShape& shape) const {
     const auto column = static_cast<std::int32_t>(std::lround(point.x));
@@ -73,18 +74,18 @@ class NearestClearCell {
   const PaddedGrid<std::int32_t>& names_;
   const RegionSet& set_;
   std::int32_t region_;
-  double least_;             ///< distance from obstacles where roads can be
-  std::int32_t wanted_ = 0;  ///< squared clearance
+  double least_;                          ///< distance from obstacles where roads can be
+  std::int32_t widest_ = 0, wanted_ = 0;  ///< squared clearance
 };
 
 }  // namespace
 
-ShapePoint centre_of_region(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                            const RegionSet& set, std::int32_t region,
-                            const std::vector<std::int32_t>& tiles, const RegionShape& shape,
-                            const RegionRoadsRule& rule) {
-  return NearestClearCell(ground, names, set, region, tiles, rule)
-      .find(centre_of_gravity(shape.hull, shape.hull.front()), shape);
+RegionCentre centre_of_region(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                              const RegionSet& set, std::int32_t region,
+                              const std::vector<std::int32_t>& tiles, const RegionShape& shape,
+                              const RegionRoadsRule& rule) {
+  const NearestClearCell nearest(ground, names, set, region, tiles, rule);
+  return {nearest.find(centre_of_gravity(shape.hull, shape.hull.front()), shape), nearest.widest()};
 }
 
 }  // namespace stope::topology

@@ -22,6 +22,7 @@ struct KnownRegion {
   std::int64_t cells = 0;
   Axes axes;
   ShapePoint centre;
+  std::int32_t widest = 0;  ///< squared clearance
   std::vector<CellIndex> doors;
   std::vector<std::vector<CellIndex>> ways;  ///< from each door to the centre
 };

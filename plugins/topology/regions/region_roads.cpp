@@ -124,7 +124,7 @@ void find_ways(WaysToDoors& finder, CellIndex centre, std::vector<CellIndex> doo
       ways[i] = region.ways[static_cast<std::size_t>(known - region.doors.begin())];
     }
   }
-  std::vector<std::vector<CellIndex>> found = finder.find(centre, wanted, tiles);
+  std::vector<std::vector<CellIndex>> found = finder.find(centre, wanted, region.widest, tiles);
   for (std::size_t k = 0; k < wanted.size(); ++k) ways[wanted_at[k]] = std::move(found[k]);
   region.doors = std::move(doors);
   region.ways = std::move(ways);

@@ -45,7 +45,7 @@ bool is_at_side(std::int32_t place) {
 }  // namespace
 
 std::vector<std::vector<CellIndex>> WaysToDoors::find(
-    CellIndex centre, const std::vector<CellIndex>& doors,
+    CellIndex centre, const std::vector<CellIndex>& doors, std::int32_t widest,
     const std::function<std::vector<std::int32_t>()>& tiles) {
   std::vector<std::vector<CellIndex>> ways;
   std::vector<CellIndex> hidden;
@@ -57,7 +57,7 @@ std::vector<std::vector<CellIndex>> WaysToDoors::find(
   if (hidden.empty()) return ways;
   std::sort(hidden.begin(), hidden.end());
   box_tiles(region_of(centre), tiles());
-  search(centre, hidden);
+  search(centre, hidden, widest);
   const auto steps = neighbour_steps(ground_.stride());
   const auto place = [&](CellIndex cell) { return static_cast<std::size_t>(place_of(cell)); };
   for (std::size_t i = 0; i < doors.size(); ++i) {
@@ -155,10 +155,11 @@ std::vector<CellIndex> WaysToDoors::straight(CellIndex from, CellIndex to) const
   return cells;
 }
 
-/// A lower bound of what is left of a way. From a place to the next the clearance grows by no more
-/// than their distance, so on a way of length L between clearances a and b it is at most
-/// min(a + s, b + L - s), which costs ln(p^2 / (a b)) with p = (a + b + L) / 2; and by the triangle
-/// inequality a step never costs less than it takes off this.
+/// A lower bound of what is left of a way. Clearance grows by no more than one goes, so between
+/// clearances a and b that are L apart a way costs at least what it does if the clearance is
+/// min(a + s, widest, b + L - s) after a length of s, which is ln(p^2 / (a b)) with p = (a + b + L)
+/// / 2, and more where p is beyond the widest; and by the triangle inequality no step costs less
+/// than it takes off this.
 float WaysToDoors::least_cost_on(std::int32_t place) const {
   const std::int32_t box = box_place_[static_cast<std::size_t>(place / (kSide * kSide))];
   const auto x = static_cast<float>((box % across_) * kSide + place % kSide);
@@ -168,12 +169,14 @@ float WaysToDoors::least_cost_on(std::int32_t place) const {
   for (const Goal& goal : goals_) {
     const float dx = x - goal.x, dy = y - goal.y;
     const float p = 0.5F * (std::sqrt(dx * dx + dy * dy) + own + goal.clearance);
-    least = std::min(least, p * p / goal.clearance);
+    const float half = p < widest_ ? std::log(p) : log_widest_ + (p - widest_) / widest_;
+    least = std::min(least, 2 * half - goal.log_clearance);
   }
-  return std::max(0.0F, std::log(least / own));
+  return std::max(0.0F, least - std::log(own));
 }
 
-void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) {
+void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors,
+                         std::int32_t widest) {
   // Any width will do that is more than rounding. A step costs as much as the narrowest cells at
   // most, and takes the same off what is left at most.
   const float slowest = 0.5F / clearance_of(least_);
@@ -188,9 +191,11 @@ void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors) 
     wanted.push_back(place_of(door));
     const std::int32_t x = ground_.column(door) + 1, y = ground_.row(door) + 1;
     goals_.push_back({static_cast<float>(x - left_ * kSide),
-                      static_cast<float>(y - bottom_ * kSide),
-                      clearance_of(ground_.squared(door))});
+                      static_cast<float>(y - bottom_ * kSide), clearance_of(ground_.squared(door)),
+                      std::log(clearance_of(ground_.squared(door)))});
   }
+  widest_ = clearance_of(widest);
+  log_widest_ = std::log(widest_);
   const std::int32_t first = place_of(centre);
   cells_[static_cast<std::size_t>(first)].cost = 0;
   std::size_t at = bucket_of(least_cost_on(first));

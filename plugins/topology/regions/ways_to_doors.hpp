@@ -20,14 +20,16 @@ class WaysToDoors {
         least_(least) {}
   /// For each of the cells `doors` the cells from it to `centre`, both included; none if such cells
   /// of the region, in which all lie, do not join the two. `tiles` gives all with cells of the
-  /// region, increasing; it is asked only where straight lines do not do.
+  /// region, increasing; it is asked only where straight lines do not do. No cell that a way can
+  /// lead over has a squared clearance of more than `widest`.
   std::vector<std::vector<CellIndex>> find(CellIndex centre, const std::vector<CellIndex>& doors,
+                                           std::int32_t widest,
                                            const std::function<std::vector<std::int32_t>()>& tiles);
 
  private:
   std::int32_t region_of(CellIndex cell) const { return set_.of(names_[cell]); }
   std::vector<CellIndex> straight(CellIndex from, CellIndex to) const;
-  void search(CellIndex centre, const std::vector<CellIndex>& doors);
+  void search(CellIndex centre, const std::vector<CellIndex>& doors, std::int32_t widest);
   float least_cost_on(std::int32_t place) const;
   void box_tiles(std::int32_t region, const std::vector<std::int32_t>& tiles);
   std::int32_t place_of(CellIndex cell);
@@ -48,9 +50,10 @@ class WaysToDoors {
     float gone_on;   ///< the cost with which its neighbours were reached last
   };
   struct Goal {
-    float x = 0, y = 0, clearance = 0;
+    float x = 0, y = 0, clearance = 0, log_clearance = 0;
   };
   std::vector<Goal> goals_;
+  float widest_ = 0, log_widest_ = 0;  ///< clearance
   std::vector<Cell> cells_;
   std::vector<std::uint8_t> back_;                  ///< the step by which that way comes
   std::vector<std::vector<std::int32_t>> buckets_;  ///< places to go on from, by cost, in turn

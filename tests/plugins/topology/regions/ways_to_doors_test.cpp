@@ -96,6 +96,8 @@ TEST(WaysToDoors, AreAsGoodAsWaysCanBeAndDoNotDependOnOtherDoors) {
     std::vector<CellIndex> cells;
     for (std::size_t i = 0; i < map.ground.size(); ++i)
       if (map.is_way(static_cast<CellIndex>(i), least)) cells.push_back(static_cast<CellIndex>(i));
+    std::int32_t widest = 0;
+    for (const CellIndex cell : cells) widest = std::max(widest, map.ground.squared(cell));
     const auto draw = [&] { return cells[random.below(cells.size())]; };
     const CellIndex centre = draw();
     const std::vector<CellIndex> doors{draw(), draw(), draw(), draw(), draw()};
@@ -104,12 +106,12 @@ TEST(WaysToDoors, AreAsGoodAsWaysCanBeAndDoNotDependOnOtherDoors) {
       return std::vector<std::int32_t>(own.begin(), own.end());
     };
     WaysToDoors finder(map.ground, map.names, map.set, least);
-    const auto ways = finder.find(centre, doors, tiles);
+    const auto ways = finder.find(centre, doors, widest, tiles);
     const std::vector<double> costs = map.costs_from(centre, least);
     ASSERT_EQ(ways.size(), doors.size());
     for (std::size_t i = 0; i < doors.size(); ++i) {
       const double best = costs[static_cast<std::size_t>(doors[i])];
-      EXPECT_EQ(finder.find(centre, {doors[i]}, tiles).front(), ways[i]);
+      EXPECT_EQ(finder.find(centre, {doors[i]}, widest, tiles).front(), ways[i]);
       if (std::isinf(best)) {
         EXPECT_TRUE(ways[i].empty());
         ++missing;
