@@ -25,8 +25,14 @@ class ChangedSquares {
         across_((stride_ + TileSet::kSide - 1) / TileSet::kSide),
         squares_(TileSet(width, height).size(), 0) {}
 
+  /// A cell, of the margin at most.
+  void add(std::int32_t column, std::int32_t row) {
+    const std::int32_t x = (column + 1) / kSide, y = (row + 1) / kSide;
+    add_squares(y / kAcross * across_ + x / kAcross,
+                static_cast<TileSquares>(1U << (y % kAcross * kAcross + x % kAcross)));
+  }
   /// A cell and all within `reach` of it, as a square, as far as they exist.
-  void add(std::int32_t column, std::int32_t row, std::int32_t reach = 0) {
+  void add(std::int32_t column, std::int32_t row, std::int32_t reach) {
     add_box(column - reach, row - reach, column + reach, row + reach);
   }
   bool touch(std::int32_t column, std::int32_t row, std::int32_t reach) const {
@@ -63,11 +69,14 @@ class ChangedSquares {
  private:
   void add_box(std::int32_t left, std::int32_t bottom, std::int32_t right, std::int32_t top) {
     visit(left, bottom, right, top, [&](std::int32_t tile, TileSquares squares) {
-      TileSquares& own = squares_[static_cast<std::size_t>(tile)];
-      if (own == 0) list_.push_back(tile);
-      own |= squares;
+      add_squares(tile, squares);
       return false;
     });
+  }
+  void add_squares(std::int32_t tile, TileSquares squares) {
+    TileSquares& own = squares_[static_cast<std::size_t>(tile)];
+    if (own == 0) list_.push_back(tile);
+    own |= squares;
   }
 
   /// Calls on_tile(tile, squares) for the tiles of a box until one gives true.
