@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "plugins/topology/tile_set.hpp"
 
@@ -24,7 +25,6 @@ namespace {
 constexpr float kUnreached = std::numeric_limits<float>::infinity(), kWall = 0;
 constexpr std::int32_t kSide = TileSet::kSide;
 constexpr std::int32_t kNoTile = -1, kNotYet = -2;
-constexpr float kUnknown = -1;
 constexpr float kDiagonal = 1.41421356F;
 // As neighbour_steps.
 constexpr std::array<std::int32_t, 8> kX{1, 0, -1, 0, 1, -1, -1, 1}, kY{0, 1, 0, -1, 1, 1, -1, -1};
@@ -48,24 +48,23 @@ std::vector<std::vector<CellIndex>> WaysToDoors::find(
     CellIndex centre, const std::vector<CellIndex>& doors, std::int32_t widest,
     const std::function<std::vector<std::int32_t>()>& tiles) {
   std::vector<std::vector<CellIndex>> ways;
-  std::vector<CellIndex> hidden;
+  bool boxed = false;
   for (const CellIndex door : doors) {
     const bool wide = ground_.squared(door) >= least_ && ground_.squared(centre) >= least_;
     ways.push_back(wide ? straight(door, centre) : std::vector<CellIndex>{});
-    if (wide && ways.back().empty()) hidden.push_back(door);
-  }
-  if (hidden.empty()) return ways;
-  std::sort(hidden.begin(), hidden.end());
-  box_tiles(region_of(centre), tiles());
-  search(centre, hidden, widest);
-  const auto steps = neighbour_steps(ground_.stride());
-  const auto place = [&](CellIndex cell) { return static_cast<std::size_t>(place_of(cell)); };
-  for (std::size_t i = 0; i < doors.size(); ++i) {
-    if (!std::binary_search(hidden.begin(), hidden.end(), doors[i])) continue;
-    if (cells_[place(doors[i])].cost == kUnreached) continue;
-    for (CellIndex cell = doors[i]; cell != centre; cell -= steps[back_[place(cell)]])
-      ways[i].push_back(cell);
-    ways[i].push_back(centre);
+    if (!wide || !ways.back().empty()) continue;
+    if (!boxed) {
+      box_tiles(region_of(centre), tiles());
+      const float clearance = clearance_of(ground_.squared(centre)), most = clearance_of(widest);
+      goal_ = {static_cast<float>(ground_.column(centre) + 1 - left_ * kSide),
+               static_cast<float>(ground_.row(centre) + 1 - bottom_ * kSide),
+               clearance,
+               std::log(clearance),
+               most,
+               std::log(most)};
+      boxed = true;
+    }
+    ways.back() = search(door, centre);
   }
   return ways;
 }
@@ -98,7 +97,7 @@ std::int32_t WaysToDoors::block_at(std::int32_t box_place) {
   number = static_cast<std::int32_t>(box_place_.size());
   box_place_.push_back(box_place);
   const std::size_t first_place = cells_.size();
-  cells_.resize(first_place + kSide * kSide, {kWall, kUnreached, kUnknown, kUnreached});
+  cells_.resize(first_place + kSide * kSide, {kWall, kUnreached, 0, kUnreached});
   back_.resize(cells_.size());
   const std::int32_t across = (ground_.stride() + kSide - 1) / kSide;
   const std::int32_t tile = (box_place / across_ + bottom_) * across + box_place % across_ + left_;
@@ -165,18 +164,15 @@ float WaysToDoors::least_cost_on(std::int32_t place) const {
   const auto x = static_cast<float>((box % across_) * kSide + place % kSide);
   const auto y = static_cast<float>((box / across_) * kSide + place / kSide % kSide);
   const float own = 0.5F / cells_[static_cast<std::size_t>(place)].slowness;
-  float least = kUnreached;
-  for (const Goal& goal : goals_) {
-    const float dx = x - goal.x, dy = y - goal.y;
-    const float p = 0.5F * (std::sqrt(dx * dx + dy * dy) + own + goal.clearance);
-    const float half = p < widest_ ? std::log(p) : log_widest_ + (p - widest_) / widest_;
-    least = std::min(least, 2 * half - goal.log_clearance);
-  }
-  return std::max(0.0F, least - std::log(own));
+  const float dx = x - goal_.x, dy = y - goal_.y;
+  const float p = 0.5F * (std::sqrt(dx * dx + dy * dy) + own + goal_.clearance);
+  const float half =
+      p < goal_.widest ? std::log(p) : goal_.log_widest + (p - goal_.widest) / goal_.widest;
+  return std::max(0.0F, 2 * half - goal_.log_clearance - std::log(own));
 }
 
-void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors,
-                         std::int32_t widest) {
+/// From the door, where it is narrow: there the bound is worst, and there are the fewest cells.
+std::vector<CellIndex> WaysToDoors::search(CellIndex door, CellIndex centre) {
   // Any width will do that is more than rounding. A step costs as much as the narrowest cells at
   // most, and takes the same off what is left at most.
   const float slowest = 0.5F / clearance_of(least_);
@@ -185,25 +181,15 @@ void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors,
   const std::size_t count = bucket_of(2 * kDiagonal * 2 * slowest) + 8;
   for (auto& left : buckets_) left.clear();
   buckets_.resize(std::max(count, buckets_.size()));
-  std::vector<std::int32_t> wanted;
-  goals_.clear();
-  for (const CellIndex door : doors) {
-    wanted.push_back(place_of(door));
-    const std::int32_t x = ground_.column(door) + 1, y = ground_.row(door) + 1;
-    goals_.push_back({static_cast<float>(x - left_ * kSide),
-                      static_cast<float>(y - bottom_ * kSide), clearance_of(ground_.squared(door)),
-                      std::log(clearance_of(ground_.squared(door)))});
-  }
-  widest_ = clearance_of(widest);
-  log_widest_ = std::log(widest_);
-  const std::int32_t first = place_of(centre);
+  const std::int32_t first = place_of(door), last = place_of(centre);
   cells_[static_cast<std::size_t>(first)].cost = 0;
+  reached_.assign(1, first);
   std::size_t at = bucket_of(least_cost_on(first));
   buckets_[at % count].push_back(first);
   std::array<std::int32_t, 8> within{};  // places of the neighbours, but for cells at a tile's side
   for (std::size_t i = 0; i < 8; ++i) within[i] = kY[i] * kSide + kX[i];
-  std::size_t waiting = 1;
-  for (; waiting > 0 && !wanted.empty(); ++at) {
+  bool arrived = first == last;
+  for (std::size_t waiting = 1; waiting > 0 && !arrived; ++at) {
     std::vector<std::int32_t>& now = buckets_[at % count];
     for (std::size_t k = 0; k < now.size(); ++k) {
       const std::int32_t place = now[k];
@@ -226,19 +212,34 @@ void WaysToDoors::search(CellIndex centre, const std::vector<CellIndex>& doors,
           continue;
         }
         back = static_cast<std::uint8_t>(i);
+        if (there.cost == kUnreached) {
+          reached_.push_back(next);
+          there.left = least_cost_on(next);
+        }
         there.cost = total;
-        if (there.left < 0) there.left = least_cost_on(next);
         buckets_[std::max(at, bucket_of(total + there.left)) % count].push_back(next);
         ++waiting;
       }
     }
     waiting -= now.size();
     now.clear();
-    std::erase_if(wanted, [&](std::int32_t door) {
-      const Cell& there = cells_[static_cast<std::size_t>(door)];
-      return there.cost != kUnreached && bucket_of(there.cost) < at;
-    });
+    const float cost = cells_[static_cast<std::size_t>(last)].cost;
+    arrived = cost != kUnreached && bucket_of(cost) < at;  // rounding may cost one bucket
   }
+  std::vector<CellIndex> way;
+  if (cells_[static_cast<std::size_t>(last)].cost != kUnreached) {
+    const auto steps = neighbour_steps(ground_.stride());
+    CellIndex cell = centre;
+    for (; cell != door; cell -= steps[back_[static_cast<std::size_t>(place_of(cell))]])
+      way.push_back(cell);
+    way.push_back(door);
+    std::reverse(way.begin(), way.end());
+  }
+  for (const std::int32_t place : reached_) {
+    Cell& cell = cells_[static_cast<std::size_t>(place)];
+    cell.cost = cell.gone_on = kUnreached;
+  }
+  return way;
 }
 
 }  // namespace stope::topology

@@ -29,7 +29,7 @@ class WaysToDoors {
  private:
   std::int32_t region_of(CellIndex cell) const { return set_.of(names_[cell]); }
   std::vector<CellIndex> straight(CellIndex from, CellIndex to) const;
-  void search(CellIndex centre, const std::vector<CellIndex>& doors, std::int32_t widest);
+  std::vector<CellIndex> search(CellIndex door, CellIndex centre);
   float least_cost_on(std::int32_t place) const;
   void box_tiles(std::int32_t region, const std::vector<std::int32_t>& tiles);
   std::int32_t place_of(CellIndex cell);
@@ -45,18 +45,19 @@ class WaysToDoors {
   // row after row, have places.
   struct Cell {
     float slowness;  ///< what half a step through it costs, or that it is a wall
-    float cost;      ///< of the way from the centre
-    float left;      ///< at least this is left from here to a door; not known yet if negative
+    float cost;      ///< of the way from the door
+    float left;      ///< at least this is left from here to the centre
     float gone_on;   ///< the cost with which its neighbours were reached last
   };
   struct Goal {
     float x = 0, y = 0, clearance = 0, log_clearance = 0;
+    float widest = 0, log_widest = 0;  ///< clearance there can be
   };
-  std::vector<Goal> goals_;
-  float widest_ = 0, log_widest_ = 0;  ///< clearance
+  Goal goal_;
   std::vector<Cell> cells_;
   std::vector<std::uint8_t> back_;                  ///< the step by which that way comes
   std::vector<std::vector<std::int32_t>> buckets_;  ///< places to go on from, by cost, in turn
+  std::vector<std::int32_t> reached_;               ///< places
   // In the box of the region's tiles, which has a margin: which of them a tile is, and back.
   std::int32_t region_ = 0, left_ = 0, bottom_ = 0, across_ = 0;
   std::vector<std::int32_t> number_, box_place_;
