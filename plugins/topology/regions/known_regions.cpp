@@ -66,7 +66,8 @@ std::vector<KnownRegion> know_regions(const Ground& ground, const PaddedGrid<std
       known[i].cut_off = std::move(parts.cut_off[i]);
       known[i].cells = shape.cells;
       known[i].axes = shape.axes();
-      const RegionCentre centre = centre_of_region(ground, names, set, band + 1, own, shape, rule);
+      const RegionCentre centre =
+          centre_of_region(ground, names, tiles, set, band + 1, own, shape, rule);
       known[i].centre = centre.place;
       known[i].widest = centre.widest;
     };

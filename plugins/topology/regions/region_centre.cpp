@@ -13,19 +13,17 @@ namespace {
 class NearestClearCell {
  public:
   NearestClearCell(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                   const RegionSet& set, std::int32_t region,
-                   const std::vector<std::int32_t>& tiles, const RegionRoadsRule& rule)
+                   const TileParts& tiles, const RegionSet& set, std::int32_t region,
+                   const std::vector<std::int32_t>& own_tiles, const RegionRoadsRule& rule)
       : ground_(ground),
         names_(names),
         set_(set),
         region_(region),
         least_(rule.least_distance(ground.frame().resolution)) {
-    const TileSet geometry(ground.width(), ground.height());
-    for (const std::int32_t tile : tiles)
-      geometry.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-        for (CellIndex cell = first; cell < first + count; ++cell)
-          if (ground.squared(cell) > widest_ && is_own(cell)) widest_ = ground.squared(cell);
-      });
+    for (const std::int32_t tile : own_tiles)
+      for (const TilePart& part : tiles.parts(static_cast<std::size_t>(tile)))
+        if (set.of(part.name) == region && !set.is_cut_off(part.name))
+          widest_ = std::max(widest_, part.widest);
     wanted_ = std::max(share_of(widest_, rule.centre_share),
                        std::min(widest_, rule.least_squared(ground.frame().resolution)));
   }
@@ -81,10 +79,10 @@ class NearestClearCell {
 }  // namespace
 
 RegionCentre centre_of_region(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                              const RegionSet& set, std::int32_t region,
-                              const std::vector<std::int32_t>& tiles, const RegionShape& shape,
+                              const TileParts& tiles, const RegionSet& set, std::int32_t region,
+                              const std::vector<std::int32_t>& own_tiles, const RegionShape& shape,
                               const RegionRoadsRule& rule) {
-  const NearestClearCell nearest(ground, names, set, region, tiles, rule);
+  const NearestClearCell nearest(ground, names, tiles, set, region, own_tiles, rule);
   return {nearest.find(centre_of_gravity(shape.hull, shape.hull.front()), shape), nearest.widest()};
 }
 

@@ -15,10 +15,10 @@ struct RegionCentre {
 
 /// Where a region's node stands: at the centre of gravity of its convex hull or, if that is not in
 /// the region or too near its walls, the nearest cell that has enough of the region's best
-/// clearance. `tiles` are all with cells of the region.
+/// clearance. `own_tiles` are all with cells of the region.
 RegionCentre centre_of_region(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                              const RegionSet& set, std::int32_t region,
-                              const std::vector<std::int32_t>& tiles, const RegionShape& shape,
+                              const TileParts& tiles, const RegionSet& set, std::int32_t region,
+                              const std::vector<std::int32_t>& own_tiles, const RegionShape& shape,
                               const RegionRoadsRule& rule);
 
 }  // namespace stope::topology

@@ -61,8 +61,11 @@ class TileScan {
       const std::int32_t name = names_[cell];
       const CellIndex begin = cell;
       std::uint16_t free = 0;
+      std::int32_t widest = 0;
       for (; cell < first + count && names_[cell] == name; ++cell) {
-        if (ground_.free(cell)) ++free;
+        const std::int32_t squared = ground_.squared(cell);  // 0 in obstacles
+        free = static_cast<std::uint16_t>(free + (squared != 0 ? 1 : 0));
+        widest = std::max(widest, squared);
         if (name == 0) continue;
         for (const CellIndex step : steps_)
           if (const std::int32_t other = names_[cell + step]; other != name && other != 0)
@@ -76,6 +79,7 @@ class TileScan {
       own.free_cells = static_cast<std::uint16_t>(own.free_cells + free);
       const unsigned squares = (2U << (cell - 1 - first) / kSide) - (1U << (begin - first) / kSide);
       own.squares |= static_cast<TileSquares>(squares << below);
+      own.widest = std::max(own.widest, widest);
     }
   }
 
@@ -88,7 +92,7 @@ class TileScan {
     return parts_.find(
         static_cast<std::uint32_t>(name), [&](const TilePart& p) { return p.name == name; },
         [&] {
-          return TilePart{name, 0, 0};
+          return TilePart{name, 0, 0, 0};
         });
   }
 

@@ -14,6 +14,7 @@ struct TilePart {
   std::int32_t name = 0;
   std::uint16_t free_cells = 0;
   TileSquares squares = 0;  ///< in which it has cells, free or not
+  std::int32_t widest = 0;  ///< squared clearance
 };
 
 /// Where two regions touch. `low` and `high` are the neighbouring cells, one in each, of which the
