@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "stope/error.hpp"
 
@@ -19,8 +20,10 @@ void compact(Contacts& contacts) {
 
 class Pieces {
  public:
-  explicit Pieces(const RegionMap& map) : labels_(map.labels), frame_(map.labels.frame) {
-    pieces_.of_cell.assign(labels_.cells.size(), -1);
+  explicit Pieces(const RegionMap& map)
+      : labels_(map.labels.cells.read(0, map.labels.cells.size(), room_)),
+        frame_(map.labels.frame) {
+    pieces_.of_cell.assign(labels_.size(), -1);
     pieces_.cells.assign(map.regions.size(), 0);
   }
 
@@ -28,7 +31,7 @@ class Pieces {
     for (std::int32_t row = frame_.height - 1; row >= 0; --row) {
       for (std::int32_t column = 0; column < frame_.width; ++column) {
         const std::size_t place = frame_.place({column, row});
-        const std::int32_t label = labels_.cells[place];
+        const std::int32_t label = labels_[place];
         if (label == 0) continue;
         if (label < 0 || static_cast<std::size_t>(label) > pieces_.cells.size()) {
           throw Error(fmt::format(
@@ -58,7 +61,7 @@ class Pieces {
           const Cell next{at.column + dx, at.row + dy};
           if (!frame_.contains(next)) continue;
           const std::size_t place = frame_.place(next);
-          if (labels_.cells[place] != label || pieces_.of_cell[place] >= 0) continue;
+          if (labels_[place] != label || pieces_.of_cell[place] >= 0) continue;
           pieces_.of_cell[place] = piece;
           open_.push_back(next);
         }
@@ -90,7 +93,8 @@ class Pieces {
     compact(contacts);
   }
 
-  const LabelGrid& labels_;
+  std::vector<std::int32_t> room_;  ///< for labels that are shared
+  std::span<const std::int32_t> labels_;
   const GridFrame& frame_;
   RegionPieces pieces_;
   std::vector<Cell> open_;

@@ -14,20 +14,18 @@ namespace {
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
 /// Labels of the grid from the region of each piece.
-LabelGrid labels_of(const GridFrame& frame, const ColourPieces& pieces,
-                    const std::vector<std::uint32_t>& region) {
-  LabelGrid labels;
-  labels.frame = frame;
-  labels.cells.resize(frame.size());
+RegionLabels labels_of(const GridFrame& frame, const ColourPieces& pieces,
+                       const std::vector<std::uint32_t>& region) {
+  std::vector<std::int32_t> cells(frame.size());
   for (std::int32_t y = 0; y < frame.height; ++y) {
     const std::int32_t* from = pieces.of_pixel.data() + frame.place({0, y});
-    std::int32_t* to = labels.cells.data() + frame.place({0, frame.height - 1 - y});
+    std::int32_t* to = cells.data() + frame.place({0, frame.height - 1 - y});
     for (std::int32_t x = 0; x < frame.width; ++x) {
       const std::uint32_t owner = from[x] < 0 ? kNobody : region[static_cast<std::size_t>(from[x])];
       to[x] = owner == kNobody ? 0 : static_cast<std::int32_t>(owner) + 1;
     }
   }
-  return labels;
+  return {frame, std::move(cells), {}, {}};
 }
 
 /// Semantics by region; none if no vertex has any.
@@ -48,10 +46,11 @@ struct Moments {
 
 void measure(RegionMap& map) {
   const GridFrame& frame = map.labels.frame;
+  const std::vector<std::int32_t>& labels = map.labels.cells.dense();
   std::vector<Moments> moments(map.regions.size());
   for (std::int32_t row = 0; row < frame.height; ++row) {
     for (std::int32_t column = 0; column < frame.width; ++column) {
-      const std::int32_t label = map.labels.cells[frame.place({column, row})];
+      const std::int32_t label = labels[frame.place({column, row})];
       if (label == 0) continue;
       Moments& m = moments[static_cast<std::size_t>(label) - 1];
       const double x = column, y = row;
@@ -199,7 +198,7 @@ RegionMap written_regions(const ConicalYaml& map, const PaintedMap& painted,
   regions.labels = labels_of(painted.grid.frame, pieces, stope.pieces);
   regions.labels.names = stope.label_names;
   std::vector<std::uint64_t> cells(map.vertices.size());
-  for (const std::int32_t label : regions.labels.cells) {
+  for (const std::int32_t label : regions.labels.cells.dense()) {
     if (label > 0) ++cells[static_cast<std::size_t>(label) - 1];
   }
   for (std::size_t i = 0; i < map.vertices.size(); ++i) {

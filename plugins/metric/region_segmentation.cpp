@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "plugins/metric/labelled_rooms.hpp"
 #include "plugins/metric/measure_list.hpp"
@@ -45,11 +46,14 @@ class RegionSegmentation final : public Map<Measures(RegionMap, Optional<RegionM
                       frame.width, frame.height, regions.labels.cells.size()));
     if (static_cast<bool>(truth) == params.picture.has_value())
       throw Error("give the true rooms either as the parameter `picture` or at the input `truth`");
+    std::vector<std::int32_t> room, true_room;
+    const auto labels = regions.labels.cells.read(0, frame.size(), room);
     RegionScores scores;
     std::string against = "a region map";
     if (truth) {
       check_frame(truth->labels.frame.width, truth->labels.frame.height, frame);
-      scores = score_regions(truth->labels.cells, regions.labels.cells);
+      scores =
+          score_regions(truth->labels.cells.read(0, truth->labels.cells.size(), true_room), labels);
     } else {
       const auto least = static_cast<std::size_t>(std::clamp(
           std::ceil(params.min_room_area / (frame.resolution * frame.resolution)), 1.0, 1e18));
@@ -57,7 +61,7 @@ class RegionSegmentation final : public Map<Measures(RegionMap, Optional<RegionM
       check_frame(rooms.width, rooms.height, frame);
       against = fmt::format("{}, rooms of at least {} m^2", params.picture->filename().string(),
                             params.min_room_area);
-      scores = score_regions(rooms.cells, regions.labels.cells);
+      scores = score_regions(rooms.cells, labels);
     }
     return MeasureList(
                fmt::format("against {}: {} rooms, {} regions, {} cells in rooms; recall is the "

@@ -49,6 +49,46 @@ TEST(Codec, PointsAreWrittenInOnePiece) {
   EXPECT_FALSE(is_flat<ArtefactFile>());
 }
 
+/// What encode() writes, by counting it.
+template <class T>
+void expect_size(const T& value) {
+  ByteCounter counter;
+  encode(value, counter);
+  EXPECT_EQ(encoded_size(value), counter.count()) << T::kType;
+}
+
+TEST(Codec, KnowsTheSizeOfWhatItWouldWrite) {
+  expect_size(LidarScan{});
+  LidarScan scan;
+  scan.points = {{1, 2, 3}, {4, 5, 6}};
+  scan.time_offset = {-100, 0};
+  expect_size(scan);
+  OccupancyGrid grid;
+  grid.cells = {0, 255, 7};
+  expect_size(grid);
+  grid.changed = ChangedWindow{1, 0, 1, 1, 7};
+  expect_size(grid);
+  Artefact artefact;
+  artefact.files = {{"yaml", {1, 2, 3}}, {"ppm", {}}};
+  expect_size(artefact);
+  Measures measures;
+  measures.names = {"recall", ""};
+  measures.values = {1, 2};
+  expect_size(measures);
+  Submap submap;
+  submap.finished = true;
+  expect_size(submap);
+  RoadGraph roads;
+  roads.nodes.resize(3);
+  roads.edges.resize(2);
+  expect_size(roads);
+  RegionMap map;
+  map.regions.resize(2);
+  map.semantics = {"kitchen", ""};
+  map.labels.cells = std::vector<std::int32_t>{1, 2, 0};
+  expect_size(map);
+}
+
 TEST(Codec, RefusesBytesThatEndEarly) {
   PointCloud cloud;
   cloud.points.resize(10);

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "framework/report/picture.hpp"
+#include "stope/label_cells.hpp"
 #include "stope/payloads/grid_frame.hpp"
 
 namespace stope::report {
@@ -37,20 +40,40 @@ struct Blocks {
   }
 };
 
+/// Cells of a grid from a place on: where they are, else written to `room`.
+template <class Cell>
+std::span<const Cell> cells_at(const std::vector<Cell>& cells, std::size_t begin, std::size_t count,
+                               std::vector<Cell>&) {
+  return std::span(cells).subspan(begin, count);
+}
+inline std::span<const std::int32_t> cells_at(const LabelCells& cells, std::size_t begin,
+                                              std::size_t count, std::vector<std::int32_t>& room) {
+  return cells.read(begin, count, room);
+}
+
 /// Draws a grid; each pixel is the mean colour of its cells, weighted by opacity.
-template <class Cell, class ColourOf>
-Picture grid_picture(const GridFrame& frame, const std::vector<Cell>& cells, ColourOf&& colour_of) {
+template <class Cells, class ColourOf>
+Picture grid_picture(const GridFrame& frame, const Cells& cells, ColourOf&& colour_of) {
+  using Cell = std::decay_t<decltype(cells[0])>;
   const Blocks blocks(frame);
   Picture picture{blocks.picture_width, blocks.picture_height, {}};
   picture.pixels.resize(static_cast<std::size_t>(picture.width) *
                         static_cast<std::size_t>(picture.height));
+  std::vector<std::span<const Cell>> rows;
+  std::vector<std::vector<Cell>> rooms;
   for (int y = 0; y < picture.height; ++y) {
+    rows.clear();
+    for (int row = blocks.row_begin(y); row < blocks.row_end(y); row += blocks.row_step(y)) {
+      if (rooms.size() == rows.size()) rooms.emplace_back();
+      rows.push_back(cells_at(cells, frame.place({0, row}), static_cast<std::size_t>(frame.width),
+                              rooms[rows.size()]));
+    }
     for (int x = 0; x < picture.width; ++x) {
       std::array<std::uint64_t, 3> sum{};
       std::uint64_t opacity = 0, count = 0;
-      for (int row = blocks.row_begin(y); row < blocks.row_end(y); row += blocks.row_step(y)) {
-        const Cell* cell = cells.data() + frame.place({blocks.column_begin(x), row});
-        const Cell* const end = cell + (blocks.column_begin(x + 1) - blocks.column_begin(x));
+      for (const std::span<const Cell> row : rows) {
+        const Cell* cell = row.data() + blocks.column_begin(x);
+        const Cell* const end = row.data() + blocks.column_begin(x + 1);
         for (; cell != end; ++cell, ++count) {
           const Colour colour = colour_of(*cell);
           for (std::size_t k = 0; k < 3; ++k) sum[k] += std::uint64_t{colour[k]} * colour[3];

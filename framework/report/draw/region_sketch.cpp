@@ -24,14 +24,17 @@ struct LabelPicture {
   int width = 0, height = 0;
   std::vector<std::int32_t> labels;
 
-  explicit LabelPicture(const LabelGrid& grid) {
+  explicit LabelPicture(const RegionLabels& grid) {
     const Blocks blocks(grid.frame);
     width = blocks.picture_width, height = blocks.picture_height;
+    std::vector<std::int32_t> room;
     for (int y = 0; y < height; ++y) {
       const int row = (blocks.row_begin(y) + blocks.row_end(y)) / 2;
+      const auto cells = grid.cells.read(grid.frame.place({0, row}),
+                                         static_cast<std::size_t>(grid.frame.width), room);
       for (int x = 0; x < width; ++x) {
         const int column = (blocks.column_begin(x) + blocks.column_begin(x + 1)) / 2;
-        labels.push_back(grid.cells[grid.frame.place({column, row})]);
+        labels.push_back(cells[static_cast<std::size_t>(column)]);
       }
     }
   }
@@ -67,7 +70,7 @@ Colour outline_of(Colour colour) {
 
 /// The regions in colours of which neighbours differ, with dark outlines.
 Picture region_picture(const RegionMap& map) {
-  const LabelGrid& grid = map.labels;
+  const RegionLabels& grid = map.labels;
   const LabelPicture sampled(grid);
   Pairs neighbours = contacts_in(sampled);
   for (std::size_t i = 0; i + 1 < map.adjacency.size(); i += 2)

@@ -2,16 +2,18 @@
 // Idea: cells are looked at for two things only, each of which a change alters in places: in which
 // basin of the clearance they are, and where basins touch in a tile. What rooms are made of basins
 // is decided on some thousand basins, anew every time; measures and roads of rooms that are as they
-// were are remembered.
-// Cost: some looks at every cell, side by side; after a change, at the cells that see it, at the
-// tiles around them, and one to write every cell's label.
+// were are remembered. Cells' labels are shared with the maps before.
+// Cost: some looks at every cell, side by side; after a change, at the cells that see it and at the
+// tiles around them.
 #include "plugins/topology/regions/room_divider.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "plugins/topology/regions/borders.hpp"
+#include "plugins/topology/regions/shared_names.hpp"
 #include "plugins/topology/regions/write_labels.hpp"
 
 namespace stope::topology {
@@ -33,6 +35,7 @@ struct RoomDivider::State {
     if (!ground.update(grid, window, change, checkpoint)) return false;
     changed = change.squares;
     basins.update(ground, change.squares, changed);
+    names->update(basins.cells(), changed, checkpoint);
     const std::vector<std::int32_t> near = tiles_that_see(changed);
     tiles.look_at(ground, basins.cells(), near, checkpoint);
     TileSet looked_at(ground.width(), ground.height());
@@ -59,7 +62,13 @@ struct RoomDivider::State {
   TileParts tiles;
   std::vector<Contact> contacts;  ///< the clearest first
   RegionMemo memo;
+  std::optional<SharedNames> names;  ///< of those that are to be updated
 };
+
+void RoomDivider::label(const State& state, RegionsAndRoads& result) {
+  result.map.labels.frame = state.ground.frame();
+  result.map.labels.cells = state.names->labelled(std::move(result.label_of_name));
+}
 
 RoomDivider::RoomDivider(const ExtractionParams& extraction, const Rule& rule,
                          const RegionRoadsRule& roads)
@@ -82,8 +91,8 @@ RegionsAndRoads RoomDivider::full(const OccupancyGrid& grid, bool keep,
   auto state = std::make_unique<State>(grid, extraction_, keep, checkpoint);
   RegionsAndRoads result = finish(*state, nullptr, checkpoint);
   if (keep) {
-    write_labels(grid.frame, state->basins.cells(), result.label_of_name, result.map.labels,
-                 checkpoint);
+    state->names.emplace(state->basins.cells(), checkpoint);
+    label(*state, result);
     state_ = std::move(state);
   } else {  // a large map's labels take the place of what is not needed any more
     const PaddedGrid<std::int32_t> names = std::move(state->basins).take_cells();
@@ -101,8 +110,7 @@ RegionsAndRoads RoomDivider::update(const OccupancyGrid& grid, const CellWindow&
   ChangedSquares changed(state->ground.width(), state->ground.height());
   if (!state->update(grid, window, changed, checkpoint)) return full(grid, true, checkpoint);
   RegionsAndRoads result = finish(*state, &changed, checkpoint);
-  write_labels(grid.frame, state->basins.cells(), result.label_of_name, result.map.labels,
-               checkpoint);
+  label(*state, result);
   state_ = std::move(state);
   return result;
 }

@@ -36,6 +36,7 @@ class RoomDivider {
 
  private:
   struct State;
+  static void label(const State& state, RegionsAndRoads& result);
   RegionsAndRoads finish(State& state, const ChangedSquares* changed,
                          const Checkpoint& checkpoint) const;
 

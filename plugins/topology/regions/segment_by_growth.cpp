@@ -117,6 +117,7 @@ std::optional<MovedCells> grow(const Ground& ground, std::vector<CellIndex> visi
     absorb_rest(ground, *memory.grown, reach, checkpoint);
     memory.tiles.emplace(ground.width(), ground.height());
     memory.tiles->look_at(ground, memory.grown->names, all_tiles(ground), checkpoint);
+    if (keep) memory.names.emplace(memory.grown->names, checkpoint);
     return {};
   }
   ChangedSquares seen = difference(ground, *change, rule.max_radius, visited, memory.visited);
@@ -127,6 +128,7 @@ std::optional<MovedCells> grow(const Ground& ground, std::vector<CellIndex> visi
   memory.middle = std::move(groups[1]), memory.visited = std::move(visited);
   absorb_again(ground, *memory.grown, reach, seen, moved, checkpoint);
   memory.tiles->look_at(ground, memory.grown->names, tiles_that_see(moved.squares()), checkpoint);
+  memory.names->update(memory.grown->names, moved.squares(), checkpoint);
   return moved;
 }
 
@@ -227,8 +229,8 @@ RegionsAndRoads segment_by_growth(const Ground& ground, const std::vector<CellIn
   memory.reused = 0;
   RegionsAndRoads result =
       grow_and_finish(ground, visited, params, roads, true, memory, change, checkpoint);
-  write_labels(ground.frame(), memory.grown->names, result.label_of_name, result.map.labels,
-               checkpoint);
+  result.map.labels.frame = ground.frame();
+  result.map.labels.cells = memory.names->labelled(std::move(result.label_of_name));
   return result;
 }
 

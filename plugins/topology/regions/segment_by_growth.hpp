@@ -7,6 +7,7 @@
 #include "plugins/topology/regions/finish_regions.hpp"
 #include "plugins/topology/regions/grow_regions.hpp"
 #include "plugins/topology/regions/merge_regions.hpp"
+#include "plugins/topology/regions/shared_names.hpp"
 #include "stope/payloads/trajectory.hpp"
 #include "stope/random.hpp"
 
@@ -35,6 +36,7 @@ struct GrowthMemory {
   std::optional<GrownRegions> grown;  ///< and what they have absorbed
   std::optional<TileParts> tiles;     ///< … of which
   std::vector<RegionShape> shapes;    ///< … by name
+  std::optional<SharedNames> names;   ///< … of each cell
   RegionMemo memo;
   std::size_t reused = 0;  ///< of what has grown: taken from the map before
 };

@@ -4,10 +4,12 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stope/error.hpp"
 #include "stope/fields.hpp"
+#include "stope/label_cells.hpp"
 #include "stope/visibility.hpp"
 
 /// The binary form of payloads: little-endian, lengths as 64-bit integers, fields in their declared
@@ -31,7 +33,7 @@ class STOPE_API ByteSource {
   virtual std::size_t remaining() const = 0;
 };
 
-/// Counts what is written: the size of a payload, cheap because flat vectors count in one step.
+/// Counts what is written. See encoded_size(), which need not write anything.
 class STOPE_API ByteCounter final : public ByteSink {
  public:
   void write(const void*, std::size_t size) override { count_ += size; }
@@ -98,6 +100,11 @@ void encode(const T& value, ByteSink& sink) {
   } else if constexpr (traits::IsOptional<T>::value) {
     encode(value.has_value(), sink);
     if (value) encode(*value, sink);
+  } else if constexpr (std::is_same_v<T, LabelCells>) {  // as a vector
+    encode<std::uint64_t>(value.size(), sink);
+    value.for_each_piece([&sink](std::span<const std::int32_t> labels) {
+      sink.write(labels.data(), labels.size_bytes());
+    });
   } else {
     static_assert(HasFields<T>, "a field must be a kind that stope/fields.hpp lists");
     T::fields(value, [&sink](const char*, const auto& member) { encode(member, sink); });
@@ -137,18 +144,40 @@ void decode(T& value, ByteSource& source) {
     } else {
       value.reset();
     }
+  } else if constexpr (std::is_same_v<T, LabelCells>) {
+    std::vector<std::int32_t> labels;
+    decode(labels, source);
+    value = std::move(labels);
   } else {
     static_assert(HasFields<T>, "a field must be a kind that stope/fields.hpp lists");
     T::fields(value, [&source](const char*, auto& member) { decode(member, source); });
   }
 }
 
-/// Bytes that encode() would write: near what the value holds in memory.
+/// Bytes that encode() would write: near what the value holds in memory. Cheap, because flat
+/// vectors count in one step and shared labels need not be looked up.
 template <class T>
 std::size_t encoded_size(const T& value) {
-  ByteCounter counter;
-  encode(value, counter);
-  return counter.count();
+  if constexpr (traits::Number<T> || std::is_same_v<T, bool> || traits::IsFixedEigen<T>::value) {
+    return sizeof(T);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return sizeof(std::uint64_t) + value.size();
+  } else if constexpr (std::is_same_v<T, LabelCells>) {
+    return sizeof(std::uint64_t) + value.size() * sizeof(std::int32_t);
+  } else if constexpr (traits::IsVector<T>::value || traits::IsArray<T>::value) {
+    using Element = typename T::value_type;
+    std::size_t size = traits::IsVector<T>::value ? sizeof(std::uint64_t) : 0;
+    if (is_flat<Element>()) return size + value.size() * sizeof(Element);
+    for (const Element& element : value) size += encoded_size(element);
+    return size;
+  } else if constexpr (traits::IsOptional<T>::value) {
+    return 1 + (value ? encoded_size(*value) : 0);
+  } else {
+    static_assert(HasFields<T>, "a field must be a kind that stope/fields.hpp lists");
+    std::size_t size = 0;
+    T::fields(value, [&size](const char*, const auto& member) { size += encoded_size(member); });
+    return size;
+  }
 }
 
 }  // namespace stope

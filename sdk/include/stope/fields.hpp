@@ -22,8 +22,8 @@
 ///     };
 ///
 /// A field is a number, bool, enum, std::string, std::vector, std::array, std::optional, a
-/// fixed-size Eigen type with DontAlign, or a struct with a `fields` list of its own. List every
-/// member, once, in the order of declaration.
+/// fixed-size Eigen type with DontAlign, LabelCells, or a struct with a `fields` list of its own.
+/// List every member, once, in the order of declaration.
 namespace stope {
 
 struct AnyVisitor {

@@ -31,6 +31,9 @@ std::string layout_text() {
   } else if constexpr (traits::IsFixedEigen<T>::value) {
     return layout_text<typename T::Scalar>() + "*" +
            std::to_string(sizeof(T) / sizeof(typename T::Scalar));
+  } else if constexpr (std::is_same_v<T, LabelCells>) {
+    return "labels#" + std::to_string(sizeof(T)) + "/" + std::to_string(LabelCells::kTileSide) +
+           "/" + std::to_string(LabelCells::kTilesAcrossBlock);
   } else {
     static_assert(HasFields<T>, "a field must be a kind that stope/fields.hpp lists");
     std::string text = "{";

@@ -98,7 +98,7 @@ void routes(std::uint32_t side, int runs) {
 void rooms(std::int32_t side, int runs) {
   RegionMap map;
   map.labels.frame = {side * 40, side * 40, 0.05, {}};
-  map.labels.cells.assign(map.labels.frame.size(), 0);
+  map.labels.cells.dense().assign(map.labels.frame.size(), 0);
   OccupancyGrid grid;
   grid.frame = map.labels.frame;
   grid.cells.assign(grid.frame.size(), OccupancyGrid::kOccupied);
@@ -115,7 +115,7 @@ void rooms(std::int32_t side, int runs) {
         const bool door = (x >= 35 && y < 6) || (y >= 35 && x < 6);
         if (!door && (x >= 35 || y >= 35)) continue;
         const std::size_t cell = grid.frame.place({column * 40 + x, row * 40 + y});
-        map.labels.cells[cell] = i + 1;
+        map.labels.cells.dense()[cell] = i + 1;
         grid.cells[cell] = OccupancyGrid::kFree;
       }
     }

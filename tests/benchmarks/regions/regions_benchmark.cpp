@@ -17,7 +17,6 @@
 #include "plugins/metric/region_scores.hpp"
 #include "plugins/topology/regions/room_divider.hpp"
 #include "plugins/topology/regions/segment_by_growth.hpp"
-#include "plugins/topology/regions/write_labels.hpp"
 #include "stope/digest.hpp"
 #include "tests/benchmarks/regions/room_maps.hpp"
 #include "tests/plugins/topology/random_changes.hpp"
@@ -112,7 +111,7 @@ void time_changes(const std::string& name, OccupancyGrid grid) {
   topology::GrowthMemory memory;
   topology::segment_by_growth(ground, {}, {}, roads, memory);
   Random random(7);
-  std::vector<double> times[2], full[2], labels;
+  std::vector<double> times[2], full[2];
   int equal[2] = {0, 0};
   const auto timed = [](std::vector<double>& into, auto&& work) {
     const double start = thread_seconds();
@@ -133,19 +132,10 @@ void time_changes(const std::string& name, OccupancyGrid grid) {
       if (!known) ground = Ground(grid, {});
       return topology::segment_by_growth(ground, {}, {}, roads, memory, known ? &change : nullptr);
     });
-    timed(labels, [&] {
-      LabelGrid again;
-      topology::write_labels(grid.frame, memory.grown->names, grown.label_of_name, again,
-                             topology::never_stop);
-      return again;
-    });
     if (i % 3 != 0) continue;
     equal[0] += same(divided, timed(full[0], [&] { return divider({}, {}).full(grid, false); }));
     equal[1] += same(grown, timed(full[1], [&] { return growing(grid, {}, {}, roads); }));
   }
-  std::sort(labels.begin(), labels.end());
-  fmt::print("{:22} of each change, to write the labels: median {:.3f} s\n", name,
-             labels[labels.size() / 2]);
   for (int member = 0; member < 2; ++member) {
     std::sort(times[member].begin(), times[member].end());
     std::sort(full[member].begin(), full[member].end());
@@ -250,7 +240,7 @@ void score_rooms(const std::vector<RoomMap>& maps) {
                               ? divider(rule, room_extraction()).full(grid, false)
                               : growing(grid, room_growing(), room_extraction(), room_roads());
       paint(result.map, map.name + (member == 0 ? "-voronoi" : "-growing"));
-      const auto s = metric::score_regions(truth.cells, result.map.labels.cells);
+      const auto s = metric::score_regions(truth.cells, result.map.labels.cells.to_vector());
       fmt::print(" | {:7} {:6.3f} {:6.3f} {:6.3f} {:6.3f} {:6.3f}", s.regions, s.recall,
                  s.precision, s.mcc, s.mcc_mean, s.mcc_pairs);
       Sum& sum = sums[member][map.name.find("furnitures") != std::string::npos ? 1 : 0];
@@ -291,7 +281,8 @@ void leave_one_out(const std::vector<RoomMap>& all) {
     scores.emplace_back();
     for (const auto& rule : rules)
       scores.back().push_back(metric::score_regions(
-          truth.cells, divider(rule, room_extraction()).full(grid, false).map.labels.cells));
+          truth.cells,
+          divider(rule, room_extraction()).full(grid, false).map.labels.cells.to_vector()));
   }
   const auto best_without = [&](const std::string& name) {
     std::size_t best = 0;

@@ -16,7 +16,7 @@ using stope::testing::StageHarness;
 RegionMap two_regions() {
   RegionMap map;
   map.labels.frame = {5, 2, 0.5, {1, 2, 0}};
-  map.labels.cells = {1, 1, 2, 2, 0, 1, 1, 2, 2, 0};
+  map.labels.cells.dense() = {1, 1, 2, 2, 0, 1, 1, 2, 2, 0};
   map.regions = {{7, 1.5, 2.5, 0.5, 0.5, 0, 1.0}, {9, 2.5, 2.5, 0.5, 0.5, 0, 1.0}};
   map.adjacency = {0, 1};
   return map;
@@ -69,10 +69,10 @@ TEST(ConicalMapExport, RefusesRegionsThatCouldNotBeReadBack) {
   EXPECT_EQ(error_of(two_regions()), "");
   expect(RegionMap{}, "has no labels");
   RegionMap map = two_regions();
-  map.labels.cells[3] = 3;
+  map.labels.cells.dense()[3] = 3;
   expect(map, "the cell (3, 0) of the region map has the label 3, but there are 2 regions");
   map = two_regions();
-  map.labels.cells[3] = -1;
+  map.labels.cells.dense()[3] = -1;
   expect(map, "has the label -1");
   map = two_regions();
   map.adjacency = {0, 2};

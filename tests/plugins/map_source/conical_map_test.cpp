@@ -74,7 +74,7 @@ RegionMap made_regions(std::uint64_t seed, int width, int height, int count) {
   }
   for (std::uint32_t i = 0; i + 3 < static_cast<std::uint32_t>(count); i += 2)
     map.adjacency.insert(map.adjacency.end(), {i, i + 1, i, i + 3});
-  map.labels.cells.assign(map.labels.frame.size(), 0);
+  map.labels.cells.dense().assign(map.labels.frame.size(), 0);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       if (random.below(12) == 0) continue;
@@ -85,7 +85,7 @@ RegionMap made_regions(std::uint64_t seed, int width, int height, int count) {
         const double distance = std::hypot(x - column, y - row);
         if (distance < nearest) nearest = distance, label = i + 1;
       }
-      map.labels.cells[map.labels.frame.place({column, row})] = label;
+      map.labels.cells.dense()[map.labels.frame.place({column, row})] = label;
     }
   }
   return map;
@@ -141,11 +141,11 @@ TEST(ConicalMap, AlsoReadsThePictureItsYamlNamesOrTheOneBesideIt) {
 
 TEST(ConicalMap, ARegionWithoutCellsAndOneOfManyPiecesComeBack) {
   RegionMap map = made_regions(4, 40, 30, 6);
-  for (std::int32_t& label : map.labels.cells) {
+  for (std::int32_t& label : map.labels.cells.dense()) {
     if (label == 2) label = 0;
   }
   for (int column = 0; column < 40; column += 4)
-    map.labels.cells[map.labels.frame.place({column, 29})] = 5;
+    map.labels.cells.dense()[map.labels.frame.place({column, 29})] = 5;
   OccupancyGrid grid = made_grid(map, 1);
   expect_back(map, grid, files_of(map, &grid));
 }
@@ -154,7 +154,8 @@ TEST(ConicalMap, ARegionWithoutCellsAndOneOfManyPiecesComeBack) {
 TEST(ConicalMap, NoiseComesBack) {
   Random random(9);
   RegionMap map = made_regions(9, 90, 80, 200);
-  for (std::int32_t& label : map.labels.cells) label = static_cast<std::int32_t>(random.below(201));
+  for (std::int32_t& label : map.labels.cells.dense())
+    label = static_cast<std::int32_t>(random.below(201));
   OccupancyGrid grid = made_grid(map, 2);
   expect_back(map, grid, files_of(map, &grid));
 }
@@ -163,7 +164,7 @@ TEST(ConicalMap, TwelveThousandRegionsComeBackInThreeTimesThePlainMap) {
   // 120 x 100 rooms of 8 x 8 cells with walls between, each fifth one in two pieces.
   RegionMap map;
   map.labels.frame = {120 * 9, 100 * 9, 0.05, {}};
-  map.labels.cells.assign(map.labels.frame.size(), 0);
+  map.labels.cells.dense().assign(map.labels.frame.size(), 0);
   OccupancyGrid grid;
   grid.frame = map.labels.frame;
   grid.cells.assign(grid.frame.size(), OccupancyGrid::kFree);
@@ -178,7 +179,7 @@ TEST(ConicalMap, TwelveThousandRegionsComeBackInThreeTimesThePlainMap) {
         const bool wall = y == 8 || (x == 8 && y % 2 == 0) || (i % 5 == 0 && x == 4);
         if (wall)
           grid.cells[place] = y % 3 == 0 ? OccupancyGrid::kUnknown : OccupancyGrid::kOccupied;
-        map.labels.cells[place] = wall ? 0 : static_cast<std::int32_t>(i) + 1;
+        map.labels.cells.dense()[place] = wall ? 0 : static_cast<std::int32_t>(i) + 1;
       }
     }
   }

@@ -108,7 +108,7 @@ std::pair<std::string, std::string> written_conical() {
   OccupancyGrid grid;
   grid.frame = map.labels.frame;
   for (int i = 0; i < 13 * 8; ++i) {
-    map.labels.cells.push_back(i % 13 < 6 ? 1 : i % 13 > 6 ? 2 : 0);
+    map.labels.cells.dense().push_back(i % 13 < 6 ? 1 : i % 13 > 6 ? 2 : 0);
     grid.cells.push_back(i % 13 == 6 ? OccupancyGrid::kOccupied
                                      : static_cast<std::uint8_t>(i % 3 * 20));
   }
@@ -145,7 +145,7 @@ TEST(DamagedFiles, ConicalMaps) {
     expect_sound(*grid.items.at(0).value);
     const RegionMap& map = *regions.items.at(0).value;
     EXPECT_EQ(map.labels.cells.size(), grid.items.at(0).value->cells.size());
-    for (const std::int32_t label : map.labels.cells) {
+    for (const std::int32_t label : map.labels.cells.to_vector()) {
       ASSERT_GE(label, 0);
       ASSERT_LE(static_cast<std::size_t>(label), map.regions.size());
     }

@@ -155,7 +155,7 @@ RegionMap rooms(int columns, int rows) {
   RegionMap map;
   map.labels.frame.width = columns * 5;
   map.labels.frame.height = rows * 5;
-  map.labels.cells.assign(map.labels.frame.size(), 0);
+  map.labels.cells.dense().assign(map.labels.frame.size(), 0);
   for (int i = 0; i < columns * rows; ++i) {
     const int column = i % columns, row = i / columns;
     Region region;
@@ -164,7 +164,7 @@ RegionMap rooms(int columns, int rows) {
     map.regions.push_back(region);
     for (int y = 0; y < 5; ++y) {
       for (int x = 0; x < 4; ++x)
-        map.labels.cells[map.labels.frame.place({5 * column + x, 5 * row + y})] = i + 1;
+        map.labels.cells.dense()[map.labels.frame.place({5 * column + x, 5 * row + y})] = i + 1;
     }
     // Neighbours through the wall; those above and below touch.
     if (column > 0) {
@@ -207,8 +207,8 @@ TEST(RegionSketch, NeighboursDifferInColourAndHaveOutlines) {
 TEST(RegionSketch, BearsManyRegionsAndPairsThatPointNowhere) {
   RegionMap map = rooms(400, 300);
   map.adjacency.insert(map.adjacency.end(), {7, 4'000'000'000U, 120'000, 3});
-  map.labels.cells[0] = 2'000'000'000;
-  map.labels.cells[1] = -5;
+  map.labels.cells.dense()[0] = 2'000'000'000;
+  map.labels.cells.dense()[1] = -5;
   const Sketch sketch = sketch_of(map);
   EXPECT_EQ(sketch.raster->picture.width, kLongestSide);
   EXPECT_EQ(sketch.marks.size(), 120'000U);

@@ -98,7 +98,7 @@ TEST(RegionGrowing, PaperModeIsRandomBySeedOnly) {
   const auto labels = [&](std::uint64_t seed) {
     StageHarness stage = for_rooms(stope_stage_RegionGrowing());
     stage.set("mode", std::string("paper")).set("allow_empty", true).context().reseed(seed);
-    return stage.input("grid", four_rooms_in_a_ring()).apply<RegionMap>(1).labels.cells;
+    return stage.input("grid", four_rooms_in_a_ring()).apply<RegionMap>(1).labels.cells.to_vector();
   };
   EXPECT_EQ(labels(5), labels(5));
   EXPECT_NE(labels(5), labels(6));
