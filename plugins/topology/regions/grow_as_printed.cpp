@@ -5,13 +5,15 @@
 namespace stope::topology {
 namespace {
 
-void take_cells(const Ground& ground, const std::vector<CellIndex>& cells, std::int32_t region,
+void take_cells(const Ground& ground, const std::vector<CellRun>& runs, std::int32_t region,
                 RegionCells& regions, PaddedGrid<std::uint8_t>& open, std::size_t& covered) {
-  for (const CellIndex cell : cells) {
-    if (regions[cell] != 0) continue;
-    regions[cell] = region;
-    open[cell] = 0;
-    covered += ground.free(cell) ? 1 : 0;
+  for (const CellRun& run : runs) {
+    for (CellIndex cell = run.first; cell < run.end(); ++cell) {
+      if (regions[cell] != 0) continue;
+      regions[cell] = region;
+      open[cell] = 0;
+      covered += ground.free(cell) ? 1 : 0;
+    }
   }
 }
 
@@ -35,7 +37,7 @@ RegionCells grow_as_printed(const Ground& ground, std::vector<CellIndex> points,
     if (!open[from]) continue;
     checkpoint();
     centres.push_back(from);
-    take_cells(ground, grower.grow(open, from).cells, static_cast<std::int32_t>(centres.size()),
+    take_cells(ground, grower.grow(open, from).runs, static_cast<std::int32_t>(centres.size()),
                regions, open, covered);
   }
   GrowthRule second = rule;
@@ -47,8 +49,8 @@ RegionCells grow_as_printed(const Ground& ground, std::vector<CellIndex> points,
     checkpoint();
     const auto region = static_cast<std::int32_t>(i) + 1;
     // Its own cells are no obstacle to a region that grows again.
-    const Growth own = [&] {
-      Growth growth;
+    const std::vector<CellIndex> own = [&] {
+      std::vector<CellIndex> cells;
       const auto reach = static_cast<std::int32_t>(second_radius) + 1;
       const std::int32_t column = ground.column(centres[i]), row = ground.row(centres[i]);
       for (std::int32_t y = std::max(row - reach, 0);
@@ -56,14 +58,14 @@ RegionCells grow_as_printed(const Ground& ground, std::vector<CellIndex> points,
         for (std::int32_t x = std::max(column - reach, 0);
              x <= std::min(column + reach, ground.width() - 1); ++x) {
           const CellIndex cell = ground.index(x, y);
-          if (regions[cell] == region && ground.free(cell)) growth.cells.push_back(cell);
+          if (regions[cell] == region && ground.free(cell)) cells.push_back(cell);
         }
-      return growth;
+      return cells;
     }();
-    for (const CellIndex cell : own.cells) open[cell] = 1;
+    for (const CellIndex cell : own) open[cell] = 1;
     const Growth grown = again.grow(open, centres[i]);
-    for (const CellIndex cell : own.cells) open[cell] = 0;
-    take_cells(ground, grown.cells, region, regions, open, covered);
+    for (const CellIndex cell : own) open[cell] = 0;
+    take_cells(ground, grown.runs, region, regions, open, covered);
   }
   count = static_cast<std::int32_t>(centres.size());
   return regions;

@@ -21,8 +21,9 @@ constexpr std::size_t kPointsBetweenCheckpoints = 4096;
 
 }  // namespace
 
-GrownRegions::GrownRegions(const Ground& ground, const Checkpoint& checkpoint)
-    : names(ground.width(), ground.height()), open(ground.width(), ground.height()) {
+GrownRegions::GrownRegions(const Ground& ground, const GrowthRule& rule,
+                           const Checkpoint& checkpoint)
+    : names(ground.width(), ground.height()), open(ground.width(), ground.height()), grower(rule) {
   const std::int32_t rows = ground.height() + 2;  // with the margin
   for_each_band((rows + kBandRows - 1) / kBandRows, checkpoint, [&] {
     return [&](std::int32_t band) {
@@ -58,8 +59,7 @@ bool RoomToGrow::operator()(const PaddedGrid<std::uint8_t>& open, CellIndex cell
 
 GrownRegions grow_regions(const Ground& ground, const std::vector<std::vector<GrowthPoint>>& groups,
                           const GrowthRule& rule, bool keep_cells, const Checkpoint& checkpoint) {
-  GrownRegions grown(ground, checkpoint);
-  RegionGrower grower(rule);
+  GrownRegions grown(ground, rule, checkpoint);
   const RoomToGrow has_room;
   std::int32_t round = 0;
   std::size_t tried = 0;
@@ -69,12 +69,13 @@ GrownRegions grow_regions(const Ground& ground, const std::vector<std::vector<Gr
         if (tried++ % kPointsBetweenCheckpoints == 0) checkpoint();
         const double room = own_room * std::sqrt(static_cast<double>(point.squared));
         if (!has_room(grown.open, point.cell, room)) continue;
-        GrownRegion region{++grown.names_given, round, point, grower.grow(grown.open, point.cell)};
-        for (const CellIndex cell : region.growth.cells) {
-          grown.open[cell] = 0;
-          grown.names[cell] = region.name;
+        GrownRegion region{++grown.names_given, round, point,
+                           grown.grower.grow(grown.open, point.cell)};
+        for (const CellRun& run : region.growth.runs) {
+          std::fill_n(grown.open.data() + run.first, run.count, std::uint8_t{0});
+          std::fill_n(grown.names.data() + run.first, run.count, region.name);
         }
-        if (!keep_cells) region.growth.cells = {};
+        if (!keep_cells) region.growth.runs = {};
         grown.list.push_back(std::move(region));
       }
       ++round;

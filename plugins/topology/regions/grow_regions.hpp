@@ -20,13 +20,14 @@ struct GrownRegion {
 /// What has grown on a ground.
 struct GrownRegions {
   /// Nothing yet.
-  GrownRegions(const Ground& ground, const Checkpoint& checkpoint);
+  GrownRegions(const Ground& ground, const GrowthRule& rule, const Checkpoint& checkpoint);
 
   std::vector<GrownRegion> list;     ///< in the order they grew
   RegionCells names;                 ///< by cell: whose it is, 0 if nobody's
   PaddedGrid<std::uint8_t> open;     ///< 1 in free cells that nothing has grown into
   std::int32_t names_given = 0;      ///< from 1 on; some may be unused
   std::vector<std::int32_t> unused;  ///< names
+  RegionGrower grower;               ///< whose tables serve the next map, too
 };
 
 /// What shares of its clearance a point must have for itself, by round.

@@ -4,7 +4,11 @@
 #include <vector>
 
 #include "plugins/topology/padded_grid.hpp"
+#include "plugins/topology/regions/blocked_slopes.hpp"
+#include "plugins/topology/regions/cell_runs.hpp"
+#include "plugins/topology/regions/connected_runs.hpp"
 #include "plugins/topology/regions/growing_hull.hpp"
+#include "plugins/topology/regions/growth_window.hpp"
 #include "plugins/topology/regions/ring_table.hpp"
 
 namespace stope::topology {
@@ -21,8 +25,8 @@ struct GrowthRule {
 
 /// What grew from a point.
 struct Growth {
-  std::vector<CellIndex> cells;  ///< the growth point first
-  std::int32_t scanned = 0;      ///< the last ring looked at
+  std::vector<CellRun> runs;  ///< its cells, increasing; no two runs touch
+  std::int32_t scanned = 0;   ///< the last ring looked at
 };
 
 /// Grows regions by Algorithm 1 of Wang et al. Keeps its tables, so one is made for many regions.
@@ -30,31 +34,45 @@ class RegionGrower {
  public:
   explicit RegionGrower(const GrowthRule& rule) : rule_(rule) {}
   /// `open`: 1 in cells a region may have, else 0; it is not changed. The growth point is open.
-  /// Reads no cell further than Growth::scanned (rounded) from the growth point.
-  Growth grow(const PaddedGrid<std::uint8_t>& open, CellIndex from);
+  /// What comes out depends on no cell further than Growth::scanned (rounded) from the growth
+  /// point, but more are read: `before_reading` may still change them.
+  Growth grow(const PaddedGrid<std::uint8_t>& open, CellIndex from,
+              GrowthWindow::BeforeReading before_reading = {});
 
  private:
-  enum State : std::uint8_t { kQualified = 1, kFailed = 2, kInHull = 4 };
-  struct Site;  ///< the open cells around a growth point
+  struct BlockedCell {
+    std::uint8_t octant;
+    std::uint16_t along, aside;
+  };
 
-  bool ring_is_open(const Site& site, std::int32_t radius);
-  bool ray_is_open(const Site& site, const CellOffset& to) const;
-  std::size_t scan_ring(const Site& site, std::int32_t radius, Growth& growth);
-  void fail(const CellOffset& cell);
-  bool fits_hull(const CellOffset& cell, std::size_t qualified);
-  void forget_marks(std::int32_t radius);
-  void keep_connected(const Site& site, Growth& growth);
-  void prepare_marks(std::int32_t radius);
-  std::uint8_t& mark(std::int32_t dx, std::int32_t dy) {
-    return marks_[static_cast<std::size_t>((dy + reach_) * (2 * reach_ + 1) + dx + reach_)];
-  }
+  /// A cell that the hull did not take in, because with it that would have held so many failed
+  /// ones.
+  struct Refusal {
+    HullPoint cell;
+    std::size_t failed = 0;
+  };
+
+  void start_scanning(std::int32_t radius);
+  std::size_t scan_ring(const PaddedGrid<std::uint8_t>& open, CellIndex from, std::int32_t radius);
+  template <std::size_t kOctant>
+  std::size_t scan_octant(std::int32_t radius, std::size_t more);
+  bool fits_hull(const HullPoint& cell, std::size_t qualified, Refusal& refusal);
+  bool lies_behind(const HullPoint& cell, const HullPoint& between) const;
+  void block_rays();
+  std::vector<CellRun> disc(const PaddedGrid<std::uint8_t>& open, CellIndex from,
+                            std::int32_t radius) const;
+  std::vector<CellRun> qualified_cells(const PaddedGrid<std::uint8_t>& open, CellIndex from,
+                                       std::int32_t radius);
 
   GrowthRule rule_;
   RingTable rings_;
+  GrowthWindow window_;
   GrowingHull hull_;
-  std::vector<std::uint8_t> marks_;  ///< State by offset, within reach_ of the growth point
-  std::int32_t reach_ = 0;
-  std::int32_t clear_ = 0;  ///< rings up to this one are open throughout
+  BlockedSlopes slopes_;
+  std::vector<BlockedCell> blocked_;  ///< in this ring
+  std::vector<Refusal> refusals_;     ///< the last in each direction
+  ConnectedRuns connected_;
+  std::size_t taken_ = 0;  ///< cells, before this ring
   std::size_t failed_in_hull_ = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "plugins/topology/regions/ground.hpp"
-#include "plugins/topology/regions/growing_hull.hpp"
+#include "plugins/topology/regions/convex_hull.hpp"
 #include "plugins/topology/regions/moved_cells.hpp"
 #include "plugins/topology/regions/region_set.hpp"
 

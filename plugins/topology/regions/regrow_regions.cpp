@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stope::topology {
@@ -21,7 +22,6 @@ class Regrowing {
   Regrowing(const Ground& ground, const GrowthRule& rule, GrownRegions& grown,
             ChangedSquares& changed, MovedCells& moved)
       : ground_(ground),
-        grower_(rule),
         grown_(grown),
         old_(std::move(grown.list)),
         changed_(changed),
@@ -82,16 +82,18 @@ class Regrowing {
       if (was) give_up(old_[next_++]);
       return;
     }
-    follow_around(point, reach_);
-    GrownRegion region{0, round, point, grower_.grow(grown_.open, point.cell)};
-    if (was && old_[next_].growth.cells == region.growth.cells) {
+    GrownRegion region{0, round, point,
+                       grown_.grower.grow(grown_.open, point.cell, [&](std::int32_t reach) {
+                         follow_around(point, reach);
+                       })};
+    if (was && old_[next_].growth.runs == region.growth.runs) {
       region.name = old_[next_++].name;  // it may have looked further or less far
       keep(std::move(region));
     } else if (was) {
       replace(old_[next_++], std::move(region));
     } else {
       region.name = new_name();
-      for (const CellIndex cell : region.growth.cells) note_change(cell);
+      for (const CellRun& run : region.growth.runs) note_change(run);
       take_cells(region);
     }
   }
@@ -115,38 +117,58 @@ class Regrowing {
     const std::int32_t reach = region.growth.scanned;
     has_grown_[static_cast<std::size_t>(region.name)] = 1;
     if (following_.has_any(column - reach, row - reach, column + reach, row + reach))
-      for (const CellIndex cell : region.growth.cells) grown_.open[cell] = 0;
+      for (const CellRun& run : region.growth.runs)
+        std::fill_n(grown_.open.data() + run.first, run.count, std::uint8_t{0});
     grown_.list.push_back(std::move(region));
   }
 
   /// One that has not grown this time.
   void give_up(const GrownRegion& old) {
     follow_around(old.point, old.growth.scanned);
-    for (const CellIndex cell : old.growth.cells) note_change(cell);
+    for (const CellRun& run : old.growth.runs) note_change(run);
     gone_.push_back(old.name);
   }
 
   /// From the same point: the name stays, and so do cells that both have.
   void replace(const GrownRegion& old, GrownRegion region) {
-    constexpr std::uint8_t kWas = 2;
     follow_around(old.point, old.growth.scanned);
     region.name = old.name;
-    for (const CellIndex cell : old.growth.cells) grown_.open[cell] |= kWas;
-    for (const CellIndex cell : region.growth.cells)
-      if (!(grown_.open[cell] & kWas)) note_change(cell);
-    take_cells(region);  // and with them the marks
-    for (const CellIndex cell : old.growth.cells) {
-      if (!(grown_.open[cell] & kWas)) continue;
-      grown_.open[cell] &= static_cast<std::uint8_t>(~kWas);
-      note_change(cell);
+    note_difference(old.growth.runs, region.growth.runs);
+    take_cells(region);
+  }
+
+  /// What only one of two has. Where both have begun or neither has, they are the same up to the
+  /// next end of a run.
+  void note_difference(const std::vector<CellRun>& a, const std::vector<CellRun>& b) {
+    std::size_t i = 0, k = 0;  // ends of runs: the begin of run n is 2 n, its end 2 n + 1
+    CellIndex cell = 0;
+    while (i < 2 * a.size() || k < 2 * b.size()) {
+      const CellIndex next_a = end_of_run(a, i), next_b = end_of_run(b, k);
+      const CellIndex next = std::min(next_a, next_b);
+      if (i % 2 != k % 2) note_change({cell, next - cell});
+      i += next_a == next ? 1 : 0, k += next_b == next ? 1 : 0;
+      cell = next;
     }
+  }
+  static CellIndex end_of_run(const std::vector<CellRun>& runs, std::size_t which) {
+    if (which >= 2 * runs.size()) return std::numeric_limits<CellIndex>::max();
+    return which % 2 == 0 ? runs[which / 2].first : runs[which / 2].end();
   }
 
   void take_cells(GrownRegion& region) {
-    for (const CellIndex cell : region.growth.cells) {
-      grown_.open[cell] = 0;
-      moved_.note(ground_, cell, grown_.names[cell], region.name);
-      grown_.names[cell] = region.name;
+    for (const CellRun& run : region.growth.runs) {
+      std::fill_n(grown_.open.data() + run.first, run.count, std::uint8_t{0});
+      for (CellIndex cell = run.first; cell < run.end();) {
+        // Of cells with the same name before, one in each square stands for the others.
+        const std::int32_t before = grown_.names[cell];
+        const CellIndex begin = cell;
+        while (cell < run.end() && grown_.names[cell] == before) ++cell;
+        if (before == region.name) continue;
+        for (CellIndex at = begin; at < cell; at += ChangedSquares::kSide)
+          moved_.note(ground_, at, before, region.name);
+        moved_.note(ground_, cell - 1, before, region.name);
+      }
+      std::fill_n(grown_.names.data() + run.first, run.count, region.name);
     }
     grown_.list.push_back(std::move(region));
   }
@@ -158,7 +180,12 @@ class Regrowing {
     return name;
   }
 
-  void note_change(CellIndex cell) { changed_.add(ground_.column(cell), ground_.row(cell)); }
+  void note_change(const CellRun& run) {
+    const std::int32_t column = ground_.column(run.first), row = ground_.row(run.first);
+    for (std::int32_t x = column; x < column + run.count; x += ChangedSquares::kSide)
+      changed_.add(x, row);
+    changed_.add(column + run.count - 1, row);
+  }
 
   void follow_around(const GrowthPoint& point, std::int32_t reach) {
     const std::size_t followed = following_.list().size();
@@ -171,20 +198,22 @@ class Regrowing {
   /// From now on `open` is in this tile what it is to the next region to grow.
   void put_back(std::int32_t tile) {
     following_.for_each_row(tile, [&](CellIndex first, std::int32_t count) {
-      for (CellIndex cell = first; cell < first + count; ++cell) {
-        if (!ground_.free(cell)) {
-          grown_.open[cell] = 0;
-          moved_.note(ground_, cell, grown_.names[cell], 0);
-          grown_.names[cell] = 0;
-        } else if (!grown_.open[cell]) {
-          grown_.open[cell] = has_grown_[static_cast<std::size_t>(grown_.names[cell])] ? 0 : 1;
+      std::uint8_t* const open = grown_.open.data() + first;
+      std::int32_t* const names = grown_.names.data() + first;
+      for (std::int32_t i = 0; i < count; ++i) {
+        const bool free = ground_.free(first + i);
+        if (!free && names[i] != 0) {
+          moved_.note(ground_, first + i, names[i], 0);
+          names[i] = 0;
         }
+        // Nobody's cells are open: no region has the name 0.
+        const std::uint8_t taken = has_grown_[static_cast<std::size_t>(names[i])];
+        open[i] = free ? static_cast<std::uint8_t>(open[i] | (taken ^ 1U)) : std::uint8_t{0};
       }
     });
   }
 
   const Ground& ground_;
-  RegionGrower grower_;
   RoomToGrow has_room_;
   GrownRegions& grown_;
   std::vector<GrownRegion> old_;

@@ -1,25 +1,27 @@
 #include "plugins/topology/regions/ring_table.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 namespace stope::topology {
 namespace {
 
-/// 0 for angles in [0, pi), 1 for [pi, 2 pi).
-int half(const CellOffset& cell) { return cell.dy < 0 || (cell.dy == 0 && cell.dx < 0) ? 1 : 0; }
-
-bool by_angle(const CellOffset& a, const CellOffset& b) {
-  if (half(a) != half(b)) return half(a) < half(b);
-  const std::int64_t cross = std::int64_t{a.dx} * b.dy - std::int64_t{a.dy} * b.dx;
-  if (cross != 0) return cross > 0;
-  return std::tie(a.dx, a.dy) < std::tie(b.dx, b.dy);
+/// The largest whole number whose square is at most this.
+std::int64_t whole_root(std::int64_t square) {
+  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(square)));
+  while (root * root > square) --root;
+  while ((root + 1) * (root + 1) <= square) ++root;
+  return root;
 }
 
 }  // namespace
 
-std::span<const CellOffset> RingTable::ring(std::int32_t radius) {
+std::int32_t disc_reach(std::int32_t radius, std::int32_t row) {
+  const std::int64_t r = radius, y = row;
+  return static_cast<std::int32_t>(whole_root(r * r + r - y * y));
+}
+
+std::span<const OctantCell> RingTable::octant(std::int32_t radius) {
   reach(radius);
   const auto r = static_cast<std::size_t>(radius);
   return std::span(cells_).subspan(begin_[r], begin_[r + 1] - begin_[r]);
@@ -27,32 +29,34 @@ std::span<const CellOffset> RingTable::ring(std::int32_t radius) {
 
 std::size_t RingTable::cells_within(std::int32_t radius) {
   reach(radius);
-  return begin_[static_cast<std::size_t>(radius) + 1];
+  return within_[static_cast<std::size_t>(radius)];
 }
 
 void RingTable::reach(std::int32_t radius) {
-  while (begin_.size() < static_cast<std::size_t>(radius) + 2) {
-    const auto r = static_cast<std::int64_t>(begin_.size()) - 1;
-    // The distance rounds to r if r - 1/2 <= distance < r + 1/2; four times its square is whole.
-    const std::int64_t least = r == 0 ? 0 : (2 * r - 1) * (2 * r - 1);
-    const std::int64_t past = (2 * r + 1) * (2 * r + 1);
-    for (std::int64_t dy = -r; dy <= r; ++dy) {
-      const auto add = [&](std::int64_t dx) {
-        const std::int64_t fourfold = 4 * (dx * dx + dy * dy);
-        if (fourfold < least || fourfold >= past) return false;
-        cells_.push_back({static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy)});
-        if (dx != 0)
-          cells_.push_back({static_cast<std::int16_t>(-dx), static_cast<std::int16_t>(dy)});
-        return true;
-      };
-      auto dx = static_cast<std::int64_t>(
-          std::sqrt(std::max(0.0, static_cast<double>(past) / 4 - static_cast<double>(dy * dy))));
-      ++dx;
-      while (dx >= 0 && !add(dx)) --dx;
-      while (--dx >= 0 && add(dx)) {
+  while (within_.size() <= static_cast<std::size_t>(radius)) {
+    const auto r = static_cast<std::int64_t>(within_.size());
+    // The distance rounds to r if r - 1/2 <= distance < r + 1/2; its square is whole.
+    const std::int64_t before = r * r - r, last = r * r + r;
+    std::size_t on_diagonal = 0;
+    for (std::int64_t aside = 0; 2 * aside * aside <= last; ++aside) {
+      std::int64_t along = whole_root(last - aside * aside);
+      for (; along >= aside && (r == 0 || along * along + aside * aside > before); --along) {
+        on_diagonal += along == aside ? 1 : 0;
+        const RaySlope slope = r == 0 ? 0
+                                      : ray_slope(static_cast<std::uint64_t>(aside),
+                                                  static_cast<std::uint64_t>(along));
+        cells_.push_back(
+            {static_cast<std::uint16_t>(along), static_cast<std::uint16_t>(aside), slope});
+        // Nearly in order already.
+        for (std::size_t i = cells_.size() - 1; i > begin_.back(); --i) {
+          if (cells_[i - 1].slope <= slope) break;
+          std::swap(cells_[i - 1], cells_[i]);
+        }
       }
     }
-    std::sort(cells_.begin() + static_cast<std::ptrdiff_t>(begin_.back()), cells_.end(), by_angle);
+    const std::size_t own = cells_.size() - begin_.back();
+    // Those on an axis or a diagonal are in two octants.
+    within_.push_back(r == 0 ? 1 : within_.back() + 8 * own - 4 - 4 * on_diagonal);
     begin_.push_back(cells_.size());
   }
 }

@@ -1,3 +1,5 @@
+#include "plugins/topology/regions/growing_hull.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "plugins/topology/regions/blocked_slopes.hpp"
 #include "plugins/topology/regions/ring_table.hpp"
 #include "plugins/topology/regions/visit_convex.hpp"
 #include "stope/random.hpp"
@@ -47,23 +50,64 @@ Cells cells_in(const std::vector<HullPoint>& corners) {
   return cells;
 }
 
-TEST(RingTable, TheRingsAreEveryCellOnceByDistanceAndAngle) {
+TEST(RingTable, TheRingsAreEveryCellOnceByDistanceAndSlope) {
   RingTable rings;
   Cells seen;
   for (std::int32_t r = 0; r <= 40; ++r) {
-    double last = -1;
-    for (const CellOffset& cell : rings.ring(r)) {
-      EXPECT_TRUE(seen.insert({cell.dx, cell.dy}).second);
-      EXPECT_EQ(std::lround(std::hypot(cell.dx, cell.dy)), r);
-      double angle = std::atan2(cell.dy, cell.dx);
-      if (angle < 0) angle += 2 * 3.14159265358979;
-      EXPECT_GE(angle, last);
-      last = angle;
+    const auto octant = rings.octant(r);
+    const std::size_t before = seen.size();
+    for (std::size_t i = 0; i < octant.size(); ++i) {
+      const int along = octant[i].along, aside = octant[i].aside;
+      EXPECT_LE(aside, along);
+      EXPECT_EQ(std::lround(std::hypot(along, aside)), r);
+      if (i > 0) {
+        EXPECT_GT(octant[i].slope, octant[i - 1].slope);
+        EXPECT_GT(aside * octant[i - 1].along, octant[i - 1].aside * along);
+      }
+      for (const int x : {along, -along})
+        for (const int y : {aside, -aside}) seen.insert({x, y}), seen.insert({y, x});
     }
+    EXPECT_EQ(rings.cells_in(r), seen.size() - before);
     EXPECT_EQ(rings.cells_within(r), seen.size());
   }
-  for (int y = -28; y <= 28; ++y)
-    for (int x = -28; x <= 28; ++x) EXPECT_TRUE(seen.count({x, y})) << x << ", " << y;
+  for (int y = -40; y <= 40; ++y) {
+    for (int x = -40; x <= 40; ++x) {
+      EXPECT_EQ(seen.count({x, y}), std::lround(std::hypot(x, y)) <= 40 ? 1U : 0U)
+          << x << ", " << y;
+      EXPECT_EQ(std::abs(x) <= disc_reach(40, y), seen.count({x, y}) > 0) << x << ", " << y;
+    }
+  }
+}
+
+// The blocked rays are those that a walk over all their cells finds blocked.
+TEST(BlockedSlopes, AreThoseOfTheRaysThroughBlockedCells) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Random random(seed);
+    BlockedSlopes slopes;
+    slopes.clear(1);
+    Cells blocked;
+    const std::size_t octant = random.below(8);
+    std::uint32_t along = 1;
+    for (std::uint64_t i = random.below(60) + 1; i-- > 0;) {
+      along += static_cast<std::uint32_t>(random.below(seed % 2 == 0 ? 2 : 8));
+      const auto aside = static_cast<std::uint32_t>(random.below(along + 1));
+      slopes.reach(static_cast<std::int32_t>(along));
+      slopes.block(octant, along, aside);
+      blocked.insert({static_cast<int>(along), static_cast<int>(aside)});
+    }
+    const auto bins = slopes.bins(octant);
+    for (int steps = static_cast<int>(along) + 1; steps < static_cast<int>(along) + 90; ++steps) {
+      for (int minor = 0; minor <= steps; ++minor) {
+        bool is_blocked = false;
+        for (int i = 1; i < steps; ++i)
+          is_blocked = is_blocked || blocked.count({i, (2 * i * minor + steps) / (2 * steps)}) > 0;
+        ASSERT_EQ(bins.block(ray_slope(static_cast<std::uint64_t>(minor),
+                                       static_cast<std::uint64_t>(steps))),
+                  is_blocked)
+            << "seed " << seed << ", " << minor << " / " << steps;
+      }
+    }
+  }
 }
 
 TEST(ConvexHull, OfKnownPoints) {
@@ -75,30 +119,59 @@ TEST(ConvexHull, OfKnownPoints) {
 }
 
 TEST(GrowingHull, HoldsWhatTheHullOfAllPointsHolds) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  constexpr int kMost = 7;
+  const auto held_cells = [&](const auto& holds) {
+    Cells cells;
+    for (int y = -kMost; y <= kMost; ++y)
+      for (int x = -kMost; x <= kMost; ++x)
+        if (holds(HullPoint{x, y})) cells.insert({x, y});
+    return cells;
+  };
+  GrowingHull hull;  // used again
+  hull.reach(kMost);
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
     Random random(seed);
-    const auto coordinate = [&] { return static_cast<std::int32_t>(random.below(13)) - 6; };
-    std::vector<HullPoint> points{{coordinate(), coordinate()}};
-    GrowingHull hull;
-    hull.start(points);
-    Cells held = cells_in(hull.corners());
-    for (int step = 0; step < 12; ++step) {
-      const HullPoint point{coordinate(), coordinate()};
-      GrowingHull::Addition addition;
+    const auto coordinate = [&] {
+      return static_cast<std::int32_t>(random.below(2 * kMost + 1)) - kMost;
+    };
+    const auto radius = static_cast<std::int32_t>(random.below(3));
+    std::vector<HullPoint> points{{0, 0}};
+    for (int y = -radius; y <= radius; ++y)
+      for (int x = -radius; x <= radius; ++x)
+        if (std::lround(std::hypot(x, y)) == radius) points.push_back({x, y});
+    hull.start(radius);
+    Cells held = held_cells([&](const HullPoint& cell) { return in_hull(points, cell); });
+    for (int step = 0; step < 14; ++step) {
+      HullPoint point{coordinate(), coordinate()};
+      if (seed % 3 == 0 && step < 5) point = {point.x, point.x};  // on a line at first
       const bool outside = !in_hull(points, point);
-      ASSERT_EQ(hull.see(point, addition), outside) << "seed " << seed << ", step " << step;
-      if (outside) {
-        for (const auto& cell : cells_in({addition.triangle.begin(), addition.triangle.end()}))
-          held.insert(cell);
-        hull.add(point, addition);
-      }
+      ASSERT_EQ(hull.holds(point), !outside) << "seed " << seed << ", step " << step;
+      if (!outside) continue;
       points.push_back(point);
-      Cells expected;
-      for (int y = -6; y <= 6; ++y)
-        for (int x = -6; x <= 6; ++x)
-          if (in_hull(points, {x, y})) expected.insert({x, y});
-      ASSERT_EQ(held, expected) << "seed " << seed << ", step " << step;
-      ASSERT_EQ(cells_in(hull.corners()), expected) << "seed " << seed << ", step " << step;
+      const Cells now = held_cells([&](const HullPoint& cell) { return in_hull(points, cell); });
+      GrowingHull::Addition addition = hull.see(point);
+      if (addition.is_alone) {
+        EXPECT_EQ(now.size(), held.size() + 1);
+      } else {
+        Cells added;
+        hull.take_cells(point, addition, [&](int y, int first, int last) {
+          for (int x = first; x <= last; ++x)
+            EXPECT_TRUE(added.insert({x, y}).second) << "seed " << seed << ", step " << step;
+        });
+        if (random.below(3) == 0) {
+          hull.give_back();
+          points.pop_back();
+          ASSERT_EQ(held_cells([&](const HullPoint& cell) { return hull.holds(cell); }), held);
+          continue;
+        }
+        added.insert(held.begin(), held.end());
+        ASSERT_EQ(added, now) << "seed " << seed << ", step " << step;
+      }
+      hull.add(point, addition);
+      held = now;
+      ASSERT_EQ(held_cells([&](const HullPoint& cell) { return hull.holds(cell); }), now)
+          << "seed " << seed << ", step " << step;
+      ASSERT_EQ(cells_in(hull.corners()), now) << "seed " << seed << ", step " << step;
     }
   }
 }
