@@ -21,4 +21,9 @@ inline std::int64_t cross(const HullPoint& a, const HullPoint& b, const HullPoin
 /// straight side (Graham 1972, in Andrew's 1979 order). One point or two give themselves.
 std::vector<HullPoint> convex_hull(std::vector<HullPoint> points);
 
+/// The convex hull of the corners of two convex hulls. Cost: linear in them, for each has its
+/// corners in order already.
+std::vector<HullPoint> joined_hull(const std::vector<HullPoint>& a,
+                                   const std::vector<HullPoint>& b);
+
 }  // namespace stope::topology

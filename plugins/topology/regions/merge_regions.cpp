@@ -96,11 +96,7 @@ class Merging {
     const RegionShape &first = shape(a), &second = shape(b);
     if (static_cast<double>(first.cells + second.cells) > rule_.area) return false;
     if (rule_.as_printed) return scan_allows(a, b);
-    std::vector<HullPoint> corners;
-    corners.reserve(first.hull.size() + second.hull.size());
-    corners.insert(corners.end(), first.hull.begin(), first.hull.end());
-    corners.insert(corners.end(), second.hull.begin(), second.hull.end());
-    const std::int64_t inside = whole_points_in(convex_hull(std::move(corners)));
+    const std::int64_t inside = whole_points_in(joined_hull(first.hull, second.hull));
     const std::int64_t own = first.cells + second.cells;
     return static_cast<double>(inside - own) <= rule_.obstacle_ratio * static_cast<double>(own);
   }

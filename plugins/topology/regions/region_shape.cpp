@@ -15,8 +15,7 @@ RegionShape& RegionShape::operator+=(const RegionShape& other) {
   xx += other.xx;
   xy += other.xy;
   yy += other.yy;
-  hull.insert(hull.end(), other.hull.begin(), other.hull.end());
-  hull = convex_hull(std::move(hull));
+  hull = joined_hull(hull, other.hull);
   return *this;
 }
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "plugins/topology/regions/ground.hpp"
 #include "plugins/topology/regions/convex_hull.hpp"
+#include "plugins/topology/regions/ground.hpp"
 #include "plugins/topology/regions/moved_cells.hpp"
 #include "plugins/topology/regions/region_set.hpp"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <span>
 
-#include "plugins/topology/regions/growing_hull.hpp"
+#include "plugins/topology/regions/convex_hull.hpp"
 
 namespace stope::topology {
 

@@ -118,6 +118,25 @@ TEST(ConvexHull, OfKnownPoints) {
             (std::vector<HullPoint>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
 }
 
+TEST(ConvexHull, OfTwoHullsIsThatOfAllTheirPoints) {
+  Random random(3);
+  const auto draw = [&] {
+    std::vector<HullPoint> points;
+    const std::uint64_t count = random.below(10);
+    for (std::uint64_t i = 0; i <= count; ++i)
+      points.push_back(
+          {static_cast<std::int32_t>(random.below(8)), static_cast<std::int32_t>(random.below(8))});
+    return points;
+  };
+  for (int run = 0; run < 3000; ++run) {
+    std::vector<HullPoint> a = draw();
+    const std::vector<HullPoint> b = draw();
+    const std::vector<HullPoint> joined = joined_hull(convex_hull(a), convex_hull(b));
+    a.insert(a.end(), b.begin(), b.end());
+    EXPECT_EQ(joined, convex_hull(a)) << "run " << run;
+  }
+}
+
 TEST(GrowingHull, HoldsWhatTheHullOfAllPointsHolds) {
   constexpr int kMost = 7;
   const auto held_cells = [&](const auto& holds) {
