@@ -28,8 +28,8 @@ void join_small(RegionSet& set, const TileParts& tiles, const std::vector<Contac
   NeighbourLists<Opening> open(count);
   for (const Border& border : find_borders(contacts, set)) {
     const Opening opening{border.steps, border.squared >= least_squared};
-    open.at(border.a, border.b) = opening;
-    open.at(border.b, border.a) = opening;
+    open.add(border.a, border.b, opening);
+    open.add(border.b, border.a, opening);
   }
   std::vector<std::int32_t> now(count);
   std::vector<std::uint8_t> cut_off(count, 0);

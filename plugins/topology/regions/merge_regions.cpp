@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -26,21 +27,24 @@ ShapePoint centre(const RegionShape& shape) {
 class Merging {
  public:
   Merging(const Ground& ground, const RegionCells& regions, const std::vector<RegionShape>& shapes,
-          const std::vector<Contact>& contacts, const RegionSet& set, const MergeRule& rule)
+          const std::vector<Contact>& contacts, const RegionSet& set, const MergeRule& rule,
+          MergeMemo* memo)
       : ground_(ground),
         regions_(regions),
         rule_(rule),
+        memo_(memo),
         shapes_(static_cast<std::size_t>(set.count)),
         borders_(static_cast<std::size_t>(set.count) + 1),
         now_(static_cast<std::size_t>(set.count) + 1) {
     for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = static_cast<std::int32_t>(i);
     for (std::size_t name = 1; name < set.of_name.size(); ++name)
-      if (set.of_name[name] != 0) shapes_[place(set.of_name[name])] = &shapes[name];
+      if (set.of_name[name] != 0)
+        shapes_[place(set.of_name[name])] = {&shapes[name], memo ? memo->shape_of(name) : 0};
     std::vector<Border> borders = find_borders(contacts, set);
     if (rule.as_printed) borders = tree_of(borders, set.count);
     for (const Border& border : borders) {
-      borders_.at(border.a, border.b) = border.steps;
-      borders_.at(border.b, border.a) = border.steps;
+      borders_.add(border.a, border.b, border.steps);
+      borders_.add(border.b, border.a, border.steps);
     }
     for (std::int32_t region = 1; region <= set.count; ++region) offer(region);
   }
@@ -65,7 +69,7 @@ class Merging {
   }
 
  private:
-  const RegionShape& shape(std::int32_t region) const { return *shapes_[place(region)]; }
+  const RegionShape& shape(std::int32_t region) const { return *shapes_[place(region)].shape; }
   static std::size_t place(std::int32_t region) { return static_cast<std::size_t>(region) - 1; }
 
   std::vector<Border> tree_of(const std::vector<Border>& borders, std::int32_t count) const {
@@ -96,6 +100,14 @@ class Merging {
     const RegionShape &first = shape(a), &second = shape(b);
     if (static_cast<double>(first.cells + second.cells) > rule_.area) return false;
     if (rule_.as_printed) return scan_allows(a, b);
+    if (!memo_) return hull_allows(first, second);
+    const MergeMemo::Shape one = shapes_[place(a)].number, other = shapes_[place(b)].number;
+    if (const std::optional<bool> known = memo_->allowed(one, other)) return *known;
+    memo_->note(one, other, hull_allows(first, second));
+    return *memo_->allowed(one, other);
+  }
+
+  bool hull_allows(const RegionShape& first, const RegionShape& second) const {
     const std::int64_t inside = whole_points_in(joined_hull(first.hull, second.hull));
     const std::int64_t own = first.cells + second.cells;
     return static_cast<double>(inside - own) <= rule_.obstacle_ratio * static_cast<double>(own);
@@ -132,9 +144,18 @@ class Merging {
   void merge(std::int32_t gone, std::int32_t kept) {
     small_.erase({shape(kept).radius(), kept});
     now_[static_cast<std::size_t>(gone)] = kept;
-    merged_.push_back(shape(kept));
-    merged_.back() += shape(gone);
-    shapes_[place(kept)] = &merged_.back();
+    const auto both = [&] {
+      RegionShape sum = shape(kept);
+      return sum += shape(gone);
+    };
+    Numbered& now = shapes_[place(kept)];
+    if (memo_) {  // allowed() asked about the first with the second
+      const auto& merged = memo_->merged(shapes_[place(gone)].number, now.number, both);
+      now = {merged.shape.get(), merged.number};
+    } else {
+      merged_.push_back(both());
+      now = {&merged_.back(), 0};
+    }
     borders_.join(gone, kept, [](std::int64_t& steps, std::int64_t more) { steps += more; });
     offer(kept);
   }
@@ -151,8 +172,13 @@ class Merging {
   const Ground& ground_;
   const RegionCells& regions_;
   MergeRule rule_;
-  std::vector<const RegionShape*> shapes_;
-  std::deque<RegionShape> merged_;        ///< shapes that regions have become
+  MergeMemo* memo_;
+  struct Numbered {
+    const RegionShape* shape = nullptr;
+    MergeMemo::Shape number = 0;  ///< in the memo
+  };
+  std::vector<Numbered> shapes_;
+  std::deque<RegionShape> merged_;        ///< shapes that regions have become, without a memo
   NeighbourLists<std::int64_t> borders_;  ///< their length
   std::vector<std::int32_t> now_;
   std::set<std::pair<double, std::int32_t>> small_;  ///< radius, region
@@ -162,9 +188,11 @@ class Merging {
 
 void merge_regions(const Ground& ground, const RegionCells& names,
                    const std::vector<RegionShape>& shapes, const std::vector<Contact>& contacts,
-                   RegionSet& set, const MergeRule& rule, const Checkpoint& checkpoint) {
-  Merging merging(ground, names, shapes, contacts, set, rule);
+                   RegionSet& set, const MergeRule& rule, const Checkpoint& checkpoint,
+                   MergeMemo* memo) {
+  Merging merging(ground, names, shapes, contacts, set, rule, memo);
   merging.run(checkpoint);
+  if (memo) memo->forget_unused();
   renumber(set, merging.now());
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "plugins/topology/regions/borders.hpp"
+#include "plugins/topology/regions/merge_memo.hpp"
 #include "plugins/topology/regions/region_shape.hpp"
 
 namespace stope::topology {
@@ -18,9 +19,10 @@ struct MergeRule {
 /// Merges regions by Algorithm 2, the smallest first, each with the neighbour it has the longest
 /// border with that the rule allows. `names` are those of the cells; the set has one region for
 /// each (of the same number, if as printed), and `shapes` are these, by name. `contacts` are those
-/// of all tiles.
+/// of all tiles. What the memo knows of them is not computed again.
 void merge_regions(const Ground& ground, const RegionCells& names,
                    const std::vector<RegionShape>& shapes, const std::vector<Contact>& contacts,
-                   RegionSet& set, const MergeRule& rule, const Checkpoint& checkpoint);
+                   RegionSet& set, const MergeRule& rule, const Checkpoint& checkpoint,
+                   MergeMemo* memo = nullptr);
 
 }  // namespace stope::topology

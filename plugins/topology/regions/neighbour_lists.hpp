@@ -18,6 +18,13 @@ class NeighbourLists {
   explicit NeighbourLists(std::size_t regions) : lists_(regions) {}
 
   const std::vector<Neighbour>& of(std::int32_t region) const { return list(region); }
+  /// A neighbour that the first has not yet.
+  void add(std::int32_t region, std::int32_t neighbour, const Common& common) {
+    constexpr std::size_t kMost = 6;  // of most regions
+    auto& own = list(region);
+    if (own.empty()) own.reserve(kMost);
+    own.push_back({neighbour, common});
+  }
   /// What the first has in common with the second, nothing yet if they were none.
   Common& at(std::int32_t region, std::int32_t neighbour) {
     auto& own = list(region);

@@ -107,9 +107,10 @@ RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names
   return shape;
 }
 
-void update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                   const RegionSet& set, const TileParts& tiles, const MovedCells* moved,
-                   std::vector<RegionShape>& shapes, const Checkpoint& checkpoint) {
+std::vector<std::int32_t> update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                                        const RegionSet& set, const TileParts& tiles,
+                                        const MovedCells* moved, std::vector<RegionShape>& shapes,
+                                        const Checkpoint& checkpoint) {
   const std::size_t known = moved ? shapes.size() : 0;
   shapes.resize(set.of_name.size());
   std::vector<std::int32_t> stale;
@@ -124,6 +125,7 @@ void update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
       shapes[place] = shape_of(ground, names, set, set.of_name[place], tiles.tiles_of(name));
     };
   });
+  return stale;
 }
 
 }  // namespace stope::topology

@@ -43,9 +43,11 @@ RegionShape shape_of(const Ground& ground, const PaddedGrid<std::int32_t>& names
                      std::span<const std::int32_t> tiles);
 
 /// Makes the shapes those of the set's regions, each of which has one name; by name. With `moved`
-/// they are those of an earlier map, of which the names tell which are others now.
-void update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
-                   const RegionSet& set, const TileParts& tiles, const MovedCells* moved,
-                   std::vector<RegionShape>& shapes, const Checkpoint& checkpoint);
+/// they are those of an earlier map, of which the names tell which are others now. Gives the names
+/// of those that were looked at.
+std::vector<std::int32_t> update_shapes(const Ground& ground, const PaddedGrid<std::int32_t>& names,
+                                        const RegionSet& set, const TileParts& tiles,
+                                        const MovedCells* moved, std::vector<RegionShape>& shapes,
+                                        const Checkpoint& checkpoint);
 
 }  // namespace stope::topology

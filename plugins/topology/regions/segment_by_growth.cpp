@@ -142,9 +142,11 @@ RegionsAndRoads grow_and_finish(const Ground& ground, const std::vector<CellInde
   RegionSet set = set_of(*memory.grown);
   const RegionCells& names = memory.grown->names;
   const std::vector<Contact> contacts = all_contacts(*memory.tiles);
-  update_shapes(ground, names, set, *memory.tiles, moved ? &*moved : nullptr, memory.shapes,
-                checkpoint);
-  merge_regions(ground, names, memory.shapes, contacts, set, merge_rule(params, frame), checkpoint);
+  const std::vector<std::int32_t> stale = update_shapes(
+      ground, names, set, *memory.tiles, moved ? &*moved : nullptr, memory.shapes, checkpoint);
+  if (keep) memory.merges.renew(stale, memory.shapes.size());
+  merge_regions(ground, names, memory.shapes, contacts, set, merge_rule(params, frame), checkpoint,
+                keep ? &memory.merges : nullptr);
   const double least_area = params.min_region_area / (frame.resolution * frame.resolution);
   return finish_regions(ground, names, *memory.tiles, contacts, set, least_area, roads, checkpoint,
                         &memory.memo, moved ? &moved->squares() : nullptr);

@@ -37,6 +37,7 @@ struct GrowthMemory {
   std::optional<TileParts> tiles;     ///< … of which
   std::vector<RegionShape> shapes;    ///< … by name
   std::optional<SharedNames> names;   ///< … of each cell
+  MergeMemo merges;
   RegionMemo memo;
   std::size_t reused = 0;  ///< of what has grown: taken from the map before
 };
