@@ -1,12 +1,11 @@
 // Room segmentation against labelled rooms, Table 1 of Wang et al. on our rooms, and time on large
 // maps. Protocol and published figures: docs/regions.md.
 //   STOPE_PICTURES=folder   also paints every segmentation there
-//   RUNS=0                  leaves out the times; CHANGES=0 those after changes
+//   RUNS=0                  leaves out the times; those after changes: incremental_benchmark
 //   SCORES=0                only times
 //   LEFT_OUT=0              leaves out what leaving maps out gives
 #include <fmt/format.h>
 #include <tbb/global_control.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,9 +16,7 @@
 #include "plugins/metric/region_scores.hpp"
 #include "plugins/topology/regions/room_divider.hpp"
 #include "plugins/topology/regions/segment_by_growth.hpp"
-#include "stope/digest.hpp"
 #include "tests/benchmarks/regions/room_maps.hpp"
-#include "tests/plugins/topology/random_changes.hpp"
 
 namespace stope::benchmarks {
 namespace {
@@ -30,13 +27,6 @@ constexpr double kResolution = 0.05;
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// What this thread has worked, whatever else the machine does.
-double thread_seconds() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 double number(const char* name, double fallback) {
@@ -100,59 +90,10 @@ void time_member(const std::string& name, const char* member,
              times.front(), times[times.size() / 2]);
 }
 
-/// On one thread: changes that follow each other, of which some are compared with a computation of
-/// everything.
-void time_changes(const std::string& name, OccupancyGrid grid) {
-  const topology::RegionRoadsRule roads{2.0, 0.2, topology::Network::kAll, 1.5};
-  const auto changes = static_cast<int>(number("CHANGES", 45));
-  auto rooms = divider({}, {});
-  rooms.full(grid, true);
-  Ground ground(grid, {});
-  topology::GrowthMemory memory;
-  topology::segment_by_growth(ground, {}, {}, roads, memory);
-  Random random(7);
-  std::vector<double> times[2], full[2];
-  int equal[2] = {0, 0};
-  const auto timed = [](std::vector<double>& into, auto&& work) {
-    const double start = thread_seconds();
-    auto result = work();
-    into.push_back(thread_seconds() - start);
-    return result;
-  };
-  const auto same = [](const topology::RegionsAndRoads& a, const topology::RegionsAndRoads& b) {
-    return digest_of(a.map) == digest_of(b.map) && digest_of(a.roads) == digest_of(b.roads) ? 1 : 0;
-  };
-  for (int i = 0; i < changes; ++i) {
-    const auto kind = static_cast<topology::ChangeKind>(i % topology::kChangeKinds);
-    const auto window = topology::change_at_random(grid, 200, kind, random);
-    const auto divided = timed(times[0], [&] { return rooms.update(grid, window); });
-    const auto grown = timed(times[1], [&] {
-      topology::GroundChange change(grid.frame.width, grid.frame.height);
-      const bool known = ground.update(grid, window, change);
-      if (!known) ground = Ground(grid, {});
-      return topology::segment_by_growth(ground, {}, {}, roads, memory, known ? &change : nullptr);
-    });
-    if (i % 3 != 0) continue;
-    equal[0] += same(divided, timed(full[0], [&] { return divider({}, {}).full(grid, false); }));
-    equal[1] += same(grown, timed(full[1], [&] { return growing(grid, {}, {}, roads); }));
-  }
-  for (int member = 0; member < 2; ++member) {
-    std::sort(times[member].begin(), times[member].end());
-    std::sort(full[member].begin(), full[member].end());
-    fmt::print(
-        "{:22} {:16} {} changes of 200 x 200: median {:.3f} s, p90 {:.3f}; all of it {:.3f}; {} of "
-        "{} equal\n",
-        name, member == 0 ? "voronoi_regions" : "region_growing", changes,
-        times[member][times[member].size() / 2], times[member][times[member].size() * 9 / 10],
-        full[member][full[member].size() / 2], equal[member], full[member].size());
-  }
-}
-
-void time_large(const std::string& name, const OccupancyGrid& grid, bool one_thread) {
+void time_large(const std::string& name, const OccupancyGrid& grid) {
   const topology::RegionRoadsRule roads{2.0, 0.2, topology::Network::kAll, 1.5};
   time_member(name, "voronoi_regions", [&] { return divider({}, {}).full(grid, false); });
   time_member(name, "region_growing", [&] { return growing(grid, {}, {}, roads); });
-  if (one_thread && number("CHANGES", 45) > 0) time_changes(name, grid);
   std::fflush(stdout);
 }
 
@@ -338,8 +279,7 @@ int main() {
   for (const std::size_t threads : {std::size_t{1}, std::size_t{2}}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     fmt::print("\nTime on {} thread{}\n", threads, threads == 1 ? "" : "s");
-    if (std::filesystem::exists(mine))
-      time_large("mine 4216 x 2591", read_rooms(mine, 0.5), threads == 1);
-    time_large("blocks 4096 x 4096", blocks(4096), threads == 1);
+    if (std::filesystem::exists(mine)) time_large("mine 4216 x 2591", read_rooms(mine, 0.5));
+    time_large("blocks 4096 x 4096", blocks(4096));
   }
 }
