@@ -34,6 +34,8 @@ CellIndex door_of(const Border& border, std::int32_t region, const RegionSet& se
 template <class Tiles>
 void find_ways(WaysToDoors& finder, CellIndex centre, std::vector<CellIndex> doors, Tiles tiles,
                KnownRegion& region) {
+  const bool many = WaysToDoors::are_many(doors.size());
+  if (many != WaysToDoors::are_many(region.doors.size())) region.doors.clear();
   std::vector<std::vector<CellIndex>> ways(doors.size());
   std::vector<CellIndex> wanted;
   std::vector<std::size_t> wanted_at;
@@ -46,7 +48,8 @@ void find_ways(WaysToDoors& finder, CellIndex centre, std::vector<CellIndex> doo
       ways[i] = region.ways[static_cast<std::size_t>(known - region.doors.begin())];
     }
   }
-  std::vector<std::vector<CellIndex>> found = finder.find(centre, wanted, region.widest, tiles);
+  std::vector<std::vector<CellIndex>> found =
+      finder.find(centre, wanted, many, region.widest, tiles);
   for (std::size_t k = 0; k < wanted.size(); ++k) ways[wanted_at[k]] = std::move(found[k]);
   region.doors = std::move(doors);
   region.ways = std::move(ways);
