@@ -98,7 +98,7 @@ Artefact conical_files(const RegionMap& regions, const OccupancyGrid* grid,
       !grid || std::all_of(grid->cells.begin(), grid->cells.end(), [](std::uint8_t cell) {
         return cell == OccupancyGrid::kFree || cell >= OccupancyGrid::kOccupied;
       });
-  context.info(fmt::format("{} regions in {} pieces, with {} hues", regions.regions.size(),
+  context.info(fmt::format("regions: {}, pieces of them: {}, hues: {}", regions.regions.size(),
                            pieces.region.size(), colours.hues));
   const ConicalSettings settings{style.stem + ".ppm", floor, trinary, grid != nullptr};
   const std::string yaml = conical_yaml(regions, pieces, colours, settings);

@@ -52,7 +52,7 @@ class Nav2Route final : public Map<Artefact(RoadGraph)> {
       throw Error(
           roads.edges.empty()
               ? "the road graph has no edges, and nav2 refuses such a graph: is any of the map "
-                "free?"
+                "free, and wide enough for a road between two places?"
               : "all edges of the road graph are closed, and nav2 refuses a graph without edges");
     }
     const std::string text = route_geojson(roads, {params.frame, params.tolerance});

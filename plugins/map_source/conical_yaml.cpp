@@ -160,6 +160,7 @@ class Reader {
     if (cells[0] < 1 || cells[1] < 1) map_.fail(line_of(size), "'size' is wrong: no cells");
     stope.width = cells[0], stope.height = cells[1];
     stope.floor = static_cast<int>(between(need(node, "floor"), "floor", 3, 128));
+    check_floor(need(node, "floor"), stope.floor);
     const YAML::Node occupancy = need(node, "occupancy");
     stope.measured = occupancy.IsScalar() && occupancy.Scalar() == "grid";
     if (!stope.measured && !(occupancy.IsScalar() && occupancy.Scalar() == "assumed"))
@@ -183,6 +184,20 @@ class Reader {
       stope.pieces.push_back(piece);
       at = next;
     }
+  }
+
+  /// Both say how dark a free cell is, so that a change of one alone is seen.
+  void check_floor(const YAML::Node& node, int floor) const {
+    constexpr double kFreeInTrinary = 0.196;  // of what is above the floor, as map_server has it
+    const double share = floor / 255.0;
+    const double expected =
+        map_.rule.mode == MapMode::kTrinary ? share + (1 - share) * kFreeInTrinary : share;
+    if (std::abs(map_.rule.free_thresh - expected) > 1e-6)
+      map_.fail(
+          line_of(node),
+          fmt::format("'floor' is {}, with which 'free_thresh' would be {}, but it is {}: one "
+                      "of them was changed; put it back or export the map again",
+                      floor, expected, map_.rule.free_thresh));
   }
 
   void read_vertex(const YAML::Node& node) {

@@ -21,17 +21,13 @@ class PngReader final : public RasterReader {
   explicit PngReader(const std::filesystem::path& file) : name_(file.string()) {
     file_.reset(std::fopen(name_.c_str(), "rb"));
     if (!file_) throw Error(fmt::format("the map's picture {} cannot be opened", name_));
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &PngReader::fail, &PngReader::warn);
-    if (png_) info_ = png_create_info_struct(png_);
-    if (!info_ || !read_header()) {
-      const std::string reason = reason_;
-      png_destroy_read_struct(&png_, &info_, nullptr);
-      throw_broken("its header", reason);
-    }
+    handles_.png =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &PngReader::fail, &PngReader::warn);
+    if (handles_.png) handles_.info = png_create_info_struct(handles_.png);
+    if (!handles_.info || !read_header()) throw_broken("its header", reason_);
     refuse_impossible_size();
     if (passes_ > 1) read_interlaced();
   }
-  ~PngReader() override { png_destroy_read_struct(&png_, &info_, nullptr); }
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
@@ -60,30 +56,31 @@ class PngReader final : public RasterReader {
   static void warn(png_structp, png_const_charp) {}
 
   bool read_header() {
-    if (setjmp(png_jmpbuf(png_))) return false;
-    png_init_io(png_, file_.get());
-    png_read_info(png_, info_);
-    png_set_expand(png_);  // palettes to RGB, 1, 2 and 4 bits to 8, transparent colours to alpha
-    if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
-    passes_ = png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
-    layout_.width = static_cast<std::int32_t>(png_get_image_width(png_, info_));
-    layout_.height = static_cast<std::int32_t>(png_get_image_height(png_, info_));
-    layout_.channels = png_get_channels(png_, info_);
-    layout_.sample_bytes = png_get_bit_depth(png_, info_) == 16 ? 2 : 1;
+    if (setjmp(png_jmpbuf(handles_.png))) return false;
+    png_init_io(handles_.png, file_.get());
+    png_read_info(handles_.png, handles_.info);
+    png_set_expand(
+        handles_.png);  // palettes to RGB, 1, 2 and 4 bits to 8, transparent colours to alpha
+    if constexpr (std::endian::native == std::endian::little) png_set_swap(handles_.png);
+    passes_ = png_set_interlace_handling(handles_.png);
+    png_read_update_info(handles_.png, handles_.info);
+    layout_.width = static_cast<std::int32_t>(png_get_image_width(handles_.png, handles_.info));
+    layout_.height = static_cast<std::int32_t>(png_get_image_height(handles_.png, handles_.info));
+    layout_.channels = png_get_channels(handles_.png, handles_.info);
+    layout_.sample_bytes = png_get_bit_depth(handles_.png, handles_.info) == 16 ? 2 : 1;
     layout_.max_value = layout_.sample_bytes == 2 ? 65535 : 255;
     return true;
   }
 
   bool read_png_row(std::uint8_t* row) {
-    if (setjmp(png_jmpbuf(png_))) return false;
-    png_read_row(png_, row, nullptr);
+    if (setjmp(png_jmpbuf(handles_.png))) return false;
+    png_read_row(handles_.png, row, nullptr);
     return true;
   }
 
   bool read_png_image(png_bytepp rows) {
-    if (setjmp(png_jmpbuf(png_))) return false;
-    png_read_image(png_, rows);
+    if (setjmp(png_jmpbuf(handles_.png))) return false;
+    png_read_image(handles_.png, rows);
     return true;
   }
 
@@ -92,7 +89,8 @@ class PngReader final : public RasterReader {
   void refuse_impossible_size() const {
     std::error_code problem;
     const double bytes = static_cast<double>(std::filesystem::file_size(name_, problem));
-    const double bits = png_get_bit_depth(png_, info_) == 8 ? 1 : 8;  // 1 bit before expansion
+    const double bits =
+        png_get_bit_depth(handles_.png, handles_.info) == 8 ? 1 : 8;  // 1 bit before expansion
     const double promised = static_cast<double>(layout_.width) * layout_.height * bits / 8;
     if (promised > 1100.0 * bytes + 65536) {
       throw Error(
@@ -118,8 +116,15 @@ class PngReader final : public RasterReader {
 
   std::string name_;
   std::unique_ptr<std::FILE, Close> file_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
+  /// Closed also where the constructor throws.
+  struct Handles {
+    Handles() = default;
+    ~Handles() { png_destroy_read_struct(&png, &info, nullptr); }
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+  } handles_;
   RasterLayout layout_;
   int passes_ = 1;
   std::int32_t next_ = 0;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -91,6 +92,28 @@ TEST(HouseRules, OnlyTwoMacrosExist) {
       }
     }
   }
+}
+
+// Two types of one name in one namespace make one program of two that do not fit: the linker keeps
+// the functions of either, and says nothing. There were two stope::topology::Link.
+TEST(HouseRules, NoTwoHeadersDefineTypesOfTheSameName) {
+  static const std::regex kNamespace(R"(^namespace ([\w:]+) \{)");
+  static const std::regex kType(R"(^(?:struct|class|enum class) (?:STOPE_API )?(\w+)( .*)?\{)");
+  std::map<std::string, fs::path> defined;
+  for (const char* folder : {"sdk", "framework", "plugins"}) {
+    for (const auto& file : files_under(folder, {".hpp"})) {
+      std::string space;
+      for (const std::string& line : lines_of(file)) {
+        std::smatch match;
+        if (std::regex_search(line, match, kNamespace)) space = match[1];
+        if (!std::regex_search(line, match, kType)) continue;
+        const auto [known, is_new] = defined.emplace(space + "::" + match[1].str(), file);
+        EXPECT_TRUE(is_new) << known->first << " is defined in " << known->second << " and in "
+                            << file;
+      }
+    }
+  }
+  EXPECT_GT(defined.size(), 300U);
 }
 
 TEST(HouseRules, CMakeListsNameTheirFiles) {

@@ -43,6 +43,11 @@ inline RegionRoadsRule roads_rule(const ExtractionParams& params, const NetworkP
 /// Why regions fall into parts that do not touch, and what to do.
 inline std::string why_apart(const RegionsAndRoads& result) {
   if (result.pieces == result.space_pieces) return "because free space does";
+  if (result.pieces < result.space_pieces)
+    return fmt::format(
+        "fewer than the {} pieces of free space that they lie in, because in mode: paper a region "
+        "has cells beyond obstacles too",
+        result.space_pieces);
   return fmt::format(
       "although free space {}: {:.4f} of the free cells are in no region, and some of them lie "
       "between; raise second_radius (in mode: paper, coverage) to close the gaps",
@@ -60,8 +65,8 @@ inline void report_regions(const RegionsAndRoads& result, const ExtractionParams
                            count == 1 ? "region covers" : "regions cover", result.covered));
   if (result.dropped > 0)
     context.warn(fmt::format(
-        "{} of free space, {} cells together, {} left out as too small for a region of its own: "
-        "no way leads there, so it is mostly noise of the map; lower min_region_area to keep {}",
+        "{} of free space, {} cells together, {} left out: smaller than min_region_area, with no "
+        "way to it, as noise of the map is; lower min_region_area to keep {}",
         result.dropped == 1 ? "1 part" : fmt::format("{} parts", result.dropped),
         result.dropped_cells, result.dropped == 1 ? "is" : "are",
         result.dropped == 1 ? "it" : "them"));

@@ -73,7 +73,7 @@ class Merging {
   static std::size_t place(std::int32_t region) { return static_cast<std::size_t>(region) - 1; }
 
   std::vector<Border> tree_of(const std::vector<Border>& borders, std::int32_t count) const {
-    std::vector<Link> links;
+    std::vector<RegionLink> links;
     for (const Border& border : borders)
       links.push_back(
           {border.a - 1, border.b - 1, distance(centre(shape(border.a)), centre(shape(border.b)))});

@@ -11,7 +11,7 @@
 namespace stope::topology {
 namespace {
 
-std::vector<std::size_t> shortest_first(const std::vector<Link>& links) {
+std::vector<std::size_t> shortest_first(const std::vector<RegionLink>& links) {
   std::vector<std::size_t> order(links.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -25,7 +25,7 @@ class KeptLinks {
   explicit KeptLinks(std::int32_t count)
       : at_(static_cast<std::size_t>(count)), way_(static_cast<std::size_t>(count), -1) {}
 
-  void keep(const Link& link) {
+  void keep(const RegionLink& link) {
     at_[static_cast<std::size_t>(link.from)].push_back({link.to, link.length});
     at_[static_cast<std::size_t>(link.to)].push_back({link.from, link.length});
   }
@@ -59,7 +59,7 @@ class KeptLinks {
 
 }  // namespace
 
-std::vector<std::size_t> spanning_tree(std::int32_t count, const std::vector<Link>& links) {
+std::vector<std::size_t> spanning_tree(std::int32_t count, const std::vector<RegionLink>& links) {
   DisjointSets parts(static_cast<std::size_t>(count));
   std::vector<std::size_t> kept;
   for (const std::size_t i : shortest_first(links))
@@ -68,7 +68,7 @@ std::vector<std::size_t> spanning_tree(std::int32_t count, const std::vector<Lin
   return kept;
 }
 
-std::vector<std::size_t> spanner(std::int32_t count, const std::vector<Link>& links,
+std::vector<std::size_t> spanner(std::int32_t count, const std::vector<RegionLink>& links,
                                  double stretch) {
   KeptLinks network(count);
   std::vector<std::size_t> kept;

@@ -55,7 +55,7 @@ void find_ways(WaysToDoors& finder, CellIndex centre, std::vector<CellIndex> doo
   region.ways = std::move(ways);
 }
 
-std::vector<std::size_t> chosen(std::size_t count, const std::vector<Link>& links,
+std::vector<std::size_t> chosen(std::size_t count, const std::vector<RegionLink>& links,
                                 const RegionRoadsRule& rule) {
   if (rule.network == Network::kSpanningTree)
     return spanning_tree(static_cast<std::int32_t>(count), links);
@@ -151,7 +151,7 @@ RoadGraph graph_of_roads(const GridFrame& frame, const std::vector<KnownRegion>&
     const Vector2 at = frame.to_map(region.centre.x + 0.5, region.centre.y + 0.5);
     nodes.push_back({0, at.x(), at.y(), kNoElevation});
   }
-  std::vector<Link> links;
+  std::vector<RegionLink> links;
   std::vector<std::size_t> wide;
   for (std::size_t i = 0; i < roads.size(); ++i) {
     if (!roads[i].exists()) continue;

@@ -274,7 +274,8 @@ TEST(ConicalMap, PictureAndYamlThatDisagreeAreNamed) {
   expect("adjacent: [1, 3]", "adjacent: [0, 1, 3]", "vertex 0 is adjacent to 0");
   expect("pieces: \"", "pieces: \"7 ", "pieces of colour, but the picture");
   expect("cells: ", "cells: 1", "cells by the yaml");
-  expect("floor: 89", "floor: 60", "has a colour at column");
+  expect("floor: 89", "floor: 60", "'floor' is 60, with which 'free_thresh' would be");
+  expect("hue_step: 60", "hue_step: 50", "has a colour at column");
   expect("hue_step: 60", "hue_step: sixty", "'hue_step' is wrong: expected a number");
   expect("version: 1", "version: 2", "the map's version is 2");
   expect("resolution: 0.05", "resolution: 0", "'resolution' is 0: expected");

@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kPlaces = 8;
 
-std::vector<Link> random_links(std::uint64_t seed) {
+std::vector<RegionLink> random_links(std::uint64_t seed) {
   Random random(seed);
-  std::vector<Link> links;
+  std::vector<RegionLink> links;
   for (std::int32_t a = 0; a < kPlaces; ++a)
     for (std::int32_t b = a + 1; b < kPlaces; ++b)
       if (random.uniform() < 0.4) links.push_back({a, b, random.uniform(1, 10)});
@@ -23,10 +23,10 @@ std::vector<Link> random_links(std::uint64_t seed) {
 using Ways = std::vector<std::vector<double>>;
 
 /// Shortest ways between all places (Floyd 1962).
-Ways all_ways(const std::vector<Link>& links) {
+Ways all_ways(const std::vector<RegionLink>& links) {
   Ways way(kPlaces, std::vector<double>(kPlaces, 1e9));
   for (std::size_t i = 0; i < kPlaces; ++i) way[i][i] = 0;
-  for (const Link& link : links) {
+  for (const RegionLink& link : links) {
     const auto a = static_cast<std::size_t>(link.from), b = static_cast<std::size_t>(link.to);
     way[a][b] = way[b][a] = std::min(way[a][b], link.length);
   }
@@ -37,15 +37,16 @@ Ways all_ways(const std::vector<Link>& links) {
   return way;
 }
 
-std::vector<Link> pick(const std::vector<Link>& links, const std::vector<std::size_t>& places) {
-  std::vector<Link> picked;
+std::vector<RegionLink> pick(const std::vector<RegionLink>& links,
+                             const std::vector<std::size_t>& places) {
+  std::vector<RegionLink> picked;
   for (const std::size_t place : places) picked.push_back(links[place]);
   return picked;
 }
 
-double total(const std::vector<Link>& links) {
+double total(const std::vector<RegionLink>& links) {
   double sum = 0;
-  for (const Link& link : links) sum += link.length;
+  for (const RegionLink& link : links) sum += link.length;
   return sum;
 }
 
@@ -64,7 +65,7 @@ TEST(Network, TheTreeConnectsWhatWasConnectedAndNoneIsShorter) {
     ASSERT_EQ(connected(before), connected(after));
     double least = 1e9;  // over all subsets that connect as much
     for (std::uint32_t set = 0; set < (1U << links.size()); ++set) {
-      std::vector<Link> some;
+      std::vector<RegionLink> some;
       for (std::size_t i = 0; i < links.size(); ++i)
         if (set >> i & 1U) some.push_back(links[i]);
       if (some.size() <= tree.size() && total(some) < least &&
@@ -90,7 +91,7 @@ TEST(Network, TheSpannerStretchesNoWayMoreThanItMay) {
 }
 
 TEST(Network, ASquareLosesASideToTheTreeAndNoneToATightSpanner) {
-  const std::vector<Link> square{{0, 1, 1}, {1, 2, 1}, {2, 3, 1}, {0, 3, 1}};
+  const std::vector<RegionLink> square{{0, 1, 1}, {1, 2, 1}, {2, 3, 1}, {0, 3, 1}};
   EXPECT_EQ(spanning_tree(4, square), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(spanner(4, square, 2).size(), 4U);
   EXPECT_EQ(spanner(4, square, 3).size(), 3U);
