@@ -87,7 +87,7 @@ LandmarkBound::Chosen LandmarkBound::measure(std::uint32_t landmark,
     all = all && against != kNoArc;
     if (all) chosen.farthest = std::max(chosen.farthest, against - extra);
   }
-  chosen.has_farthest = all;
+  chosen.has_farthest = all && !ends.empty();  // where all is closed there is no end
   return chosen;
 }
 
