@@ -159,8 +159,9 @@ class Reader {
     const auto cells = numbers<std::int32_t>(size, "size", 2);
     if (cells[0] < 1 || cells[1] < 1) map_.fail(line_of(size), "'size' is wrong: no cells");
     stope.width = cells[0], stope.height = cells[1];
-    stope.floor = static_cast<int>(between(need(node, "floor"), "floor", 3, 128));
-    check_floor(need(node, "floor"), stope.floor);
+    const YAML::Node floor = need(node, "floor");
+    stope.floor = static_cast<int>(between(floor, "floor", 3, 128));
+    check_floor(floor, stope.floor);
     const YAML::Node occupancy = need(node, "occupancy");
     stope.measured = occupancy.IsScalar() && occupancy.Scalar() == "grid";
     if (!stope.measured && !(occupancy.IsScalar() && occupancy.Scalar() == "assumed"))

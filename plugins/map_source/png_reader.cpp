@@ -59,8 +59,8 @@ class PngReader final : public RasterReader {
     if (setjmp(png_jmpbuf(handles_.png))) return false;
     png_init_io(handles_.png, file_.get());
     png_read_info(handles_.png, handles_.info);
-    png_set_expand(
-        handles_.png);  // palettes to RGB, 1, 2 and 4 bits to 8, transparent colours to alpha
+    // Palettes to RGB, 1, 2 and 4 bits to 8, transparent colours to alpha.
+    png_set_expand(handles_.png);
     if constexpr (std::endian::native == std::endian::little) png_set_swap(handles_.png);
     passes_ = png_set_interlace_handling(handles_.png);
     png_read_update_info(handles_.png, handles_.info);

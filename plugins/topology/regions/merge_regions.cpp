@@ -103,8 +103,9 @@ class Merging {
     if (!memo_) return hull_allows(first, second);
     const MergeMemo::Shape one = shapes_[place(a)].number, other = shapes_[place(b)].number;
     if (const std::optional<bool> known = memo_->allowed(one, other)) return *known;
-    memo_->note(one, other, hull_allows(first, second));
-    return *memo_->allowed(one, other);
+    const bool allows = hull_allows(first, second);
+    memo_->note(one, other, allows);
+    return allows;
   }
 
   bool hull_allows(const RegionShape& first, const RegionShape& second) const {

@@ -17,6 +17,7 @@
 #include "plugins/topology/regions/room_divider.hpp"
 #include "plugins/topology/regions/segment_by_growth.hpp"
 #include "tests/benchmarks/regions/room_maps.hpp"
+#include "tests/benchmarks/topology/city_blocks.hpp"
 
 namespace stope::benchmarks {
 namespace {
@@ -144,22 +145,6 @@ void table_one(const std::filesystem::path& folder) {
   }
 }
 
-/// Blocks of 64 x 64 cells, 60 % of them free.
-OccupancyGrid blocks(std::int32_t side) {
-  Random random(1);
-  OccupancyGrid grid;
-  grid.frame.width = grid.frame.height = side;
-  grid.frame.resolution = 0.5;
-  grid.cells.assign(grid.frame.size(), OccupancyGrid::kOccupied);
-  for (std::int32_t row = 0; row < side; row += 64)
-    for (std::int32_t column = 0; column < side; column += 64)
-      if (random.uniform() < 0.6)
-        for (std::int32_t y = row; y < row + 64; ++y)
-          for (std::int32_t x = column; x < column + 64; ++x)
-            grid.cells[grid.frame.place({x, y})] = OccupancyGrid::kFree;
-  return grid;
-}
-
 void score_rooms(const std::vector<RoomMap>& maps) {
   const topology::RoomDivider::Rule rule{number("DOOR_RATIO", 0.99), number("SIMILAR", 0.88),
                                          number("HUB", 0.64), 1.0};
@@ -280,6 +265,6 @@ int main() {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     fmt::print("\nTime on {} thread{}\n", threads, threads == 1 ? "" : "s");
     if (std::filesystem::exists(mine)) time_large("mine 4216 x 2591", read_rooms(mine, 0.5));
-    time_large("blocks 4096 x 4096", blocks(4096));
+    time_large("blocks 4096 x 4096", stope::topology::city_blocks());
   }
 }

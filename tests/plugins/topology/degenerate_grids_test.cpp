@@ -1,18 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "plugins/topology/extract_roads.hpp"
+#include "tests/plugins/topology/everything.hpp"
 #include "tests/plugins/topology/graph_checks.hpp"
 #include "tests/plugins/topology/test_grids.hpp"
 
 namespace stope::topology {
 namespace {
-
-ExtractionParams everything() {
-  ExtractionParams params;
-  params.min_clearance = 0;
-  params.min_obstacle_area = 0;
-  return params;
-}
 
 TEST(DegenerateGrids, OneFreeCellIsOnePlace) {
   for (const auto& rows : {std::vector<std::string>{"."}, {"###", "#.#", "###"}}) {

@@ -6,6 +6,7 @@
 #include "plugins/topology/regions/doors.hpp"
 #include "plugins/topology/regions/room_divider.hpp"
 #include "stope/digest.hpp"
+#include "tests/plugins/topology/everything.hpp"
 #include "tests/plugins/topology/regions/doors_by_flooding.hpp"
 #include "tests/plugins/topology/regions/region_stages.hpp"
 
@@ -17,7 +18,7 @@ constexpr std::int32_t kWidth = 75, kHeight = 70;
 /// Regions of several names each, in blocks that cross tiles; some names have none.
 struct Labelled {
   explicit Labelled(std::uint64_t seed)
-      : ground(random_grid(kWidth, kHeight, 0.8, seed % 2 == 0 ? 1 : 3, seed), params()),
+      : ground(random_grid(kWidth, kHeight, 0.8, seed % 2 == 0 ? 1 : 3, seed), everything()),
         names(kWidth, kHeight),
         tiles(kWidth, kHeight) {
     constexpr std::int32_t kNames = 12;
@@ -38,11 +39,6 @@ struct Labelled {
       set.of_name.push_back(name < 2 ? 0 : 1 + name % 3);
     set.count = 3;
     tiles.look_at(ground, names, all_tiles(ground), never_stop);
-  }
-  static ExtractionParams params() {
-    ExtractionParams params;
-    params.min_obstacle_area = 0;
-    return params;
   }
   std::int32_t region(std::int32_t column, std::int32_t row) const {
     return set.of(names[ground.index(column, row)]);

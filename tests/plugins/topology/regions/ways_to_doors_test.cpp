@@ -7,6 +7,7 @@
 #include <limits>
 #include <queue>
 
+#include "tests/plugins/topology/everything.hpp"
 #include "tests/plugins/topology/test_grids.hpp"
 
 namespace stope::topology {
@@ -18,7 +19,7 @@ constexpr std::int32_t kWidth = 120, kHeight = 90;
 /// between them or not.
 struct TwoSides {
   explicit TwoSides(std::uint64_t seed)
-      : ground(random_grid(kWidth, kHeight, 0.85, 6, seed), params()),
+      : ground(random_grid(kWidth, kHeight, 0.85, 6, seed), everything()),
         names(without_regions(ground)),
         tiles(kWidth, kHeight) {
     for (std::int32_t row = 0; row < kHeight; ++row)
@@ -29,11 +30,6 @@ struct TwoSides {
     set.key_of_name = {0, 0, 0};
     set.count = 1;
     tiles.look_at(ground, names, all_tiles(ground), never_stop);
-  }
-  static ExtractionParams params() {
-    ExtractionParams params;
-    params.min_obstacle_area = 0;
-    return params;
   }
   bool is_way(CellIndex cell, std::int32_t least) const {
     return names[cell] == 1 && ground.squared(cell) >= least;
